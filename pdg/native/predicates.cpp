@@ -1,0 +1,106 @@
+// Orientation by a floating-point filter, then by exact expansion arithmetic
+// (Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates).
+// Needs IEEE doubles, rounding to nearest, and no contraction (-ffp-contract=off).
+#include "predicates.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace pdg {
+namespace {
+
+static_assert(std::numeric_limits<double>::is_iec559);
+
+// Filter bound: with l = (ax - cx)(by - cy) and r = (ay - cy)(bx - cx), each difference and each
+// product carries one relative rounding u = 2^-53 and their difference another, so
+// |fl(l - r) - (l - r)| <= (3u + O(u^2)) (|fl l| + |fl r|); 16 u^2 covers the higher orders and
+// the rounding of the bound itself (Shewchuk's ccwerrboundA).
+constexpr double kUnitRoundoff = 0x1p-53;
+constexpr double kFilter = (3.0 + 16.0 * kUnitRoundoff) * kUnitRoundoff;
+
+// An unevaluated exact sum hi + lo.
+struct TwoTerms {
+  double hi;
+  double lo;
+};
+
+TwoTerms two_sum(const double a, const double b) {
+  const double s = a + b;
+  const double b_part = s - a;
+  const double a_part = s - b_part;
+  return {s, (a - a_part) + (b - b_part)};
+}
+
+TwoTerms two_product(const double a, const double b) {
+  const double p = a * b;
+  return {p, std::fma(a, b, -p)};
+}
+
+// A nonoverlapping expansion, components of increasing magnitude, zeros left out.
+struct Expansion {
+  std::array<double, 16> terms{};
+  std::size_t size = 0;
+
+  // Shewchuk's GROW-EXPANSION with zero elimination.
+  void add(const double value) {
+    double carry = value;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const TwoTerms s = two_sum(carry, terms[i]);
+      carry = s.hi;
+      if (s.lo != 0.0) terms[kept++] = s.lo;
+    }
+    if (carry != 0.0) terms[kept++] = carry;
+    size = kept;
+  }
+
+  // Adds sign * a * b, a and b two-term sums.
+  void add_product(const TwoTerms a, const TwoTerms b, const double sign) {
+    for (const double x : {a.lo, a.hi}) {
+      for (const double y : {b.lo, b.hi}) {
+        const TwoTerms p = two_product(sign * x, y);
+        add(p.lo);
+        add(p.hi);
+      }
+    }
+  }
+
+  // The largest component decides the sign.
+  int sign() const { return size == 0 ? 0 : (terms[size - 1] > 0.0 ? 1 : -1); }
+};
+
+int orient2d_exact(const Vec2 a, const Vec2 b, const Vec2 c) {
+  Expansion det;
+  det.add_product(two_sum(a.x, -c.x), two_sum(b.y, -c.y), 1.0);
+  det.add_product(two_sum(a.y, -c.y), two_sum(b.x, -c.x), -1.0);
+  return det.sign();
+}
+
+}  // namespace
+
+int orient2d(const Vec2 a, const Vec2 b, const Vec2 c) {
+  const double left = (a.x - c.x) * (b.y - c.y);
+  const double right = (a.y - c.y) * (b.x - c.x);
+  const double det = left - right;
+  const double bound = kFilter * (std::abs(left) + std::abs(right));
+  if (det > bound) return 1;
+  if (-det > bound) return -1;
+  return orient2d_exact(a, b, c);
+}
+
+bool turns_left_or_straight(const Vec2 p, const Vec2 u, const Vec2 q) {
+  const int turn = orient2d(p, u, q);
+  return turn > 0 || (turn == 0 && passes_through(p, u, q));
+}
+
+bool in_exact_range(const Vec2 a) {
+  const auto fits = [](const double v) {
+    const double m = std::abs(v);
+    return m == 0.0 || (m >= kMinCoordinate && m <= kMaxCoordinate);
+  };
+  return fits(a.x) && fits(a.y);
+}
+
+}  // namespace pdg

@@ -1,0 +1,36 @@
+// Exact geometric predicates on doubles.
+#pragma once
+
+#include "vec.hpp"
+
+namespace pdg {
+
+// Nonzero coordinates must lie in [kMinCoordinate, kMaxCoordinate] in magnitude, so that no
+// intermediate of orient2d under- or overflows: a coordinate is then a multiple of 2^-537, every
+// product of two differences a multiple of 2^-1074, which doubles hold exactly. The gates that
+// take polygons from outside check this range (triangulate, convex_pieces and the Python layer).
+inline constexpr double kMinCoordinate = 0x1p-485;
+inline constexpr double kMaxCoordinate = 0x1p500;
+
+// Sign of twice the signed area of the triangle (a, b, c): +1 when c is strictly left of the
+// directed line a -> b, 0 when the three are exactly collinear, -1 when c is strictly right.
+// True of the exact doubles given.
+int orient2d(Vec2 a, Vec2 b, Vec2 c);
+
+// Lexicographic order by (x, y); exact.
+constexpr bool lexicographically_less(const Vec2 a, const Vec2 b) {
+  return a.x < b.x || (a.x == b.x && a.y < b.y);
+}
+
+// For p, u, q exactly collinear and distinct from u: whether u lies between p and q.
+constexpr bool passes_through(const Vec2 p, const Vec2 u, const Vec2 q) {
+  return lexicographically_less(p, u) == lexicographically_less(u, q);
+}
+
+// Whether the turn p -> u -> q is to the left or goes straight on (never back on itself).
+bool turns_left_or_straight(Vec2 p, Vec2 u, Vec2 q);
+
+// Whether the coordinate range above holds; false for infinities and NaN.
+bool in_exact_range(Vec2 a);
+
+}  // namespace pdg
