@@ -1,0 +1,66 @@
+"""Complete motion planning for polygonal robots that translate and rotate in the plane.
+
+>>> from planar_planner import load_scene, solve
+>>> result = solve(load_scene("gear"))
+>>> result.verdict
+'path'
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from planar_planner.errors import OptionsError, SceneError
+    from planar_planner.options import Options
+    from planar_planner.planner import Planner, solve
+    from planar_planner.result import NoPath, PathFound, Result, Undecided
+    from planar_planner.scene import Scene, load_scene
+
+    __version__: str
+
+_HOMES = {
+    "NoPath": "result",
+    "Options": "options",
+    "OptionsError": "errors",
+    "PathFound": "result",
+    "Planner": "planner",
+    "Result": "result",
+    "Scene": "scene",
+    "SceneError": "errors",
+    "Undecided": "result",
+    "load_scene": "scene",
+    "solve": "planner",
+}
+
+__all__ = [
+    "NoPath",
+    "Options",
+    "OptionsError",
+    "PathFound",
+    "Planner",
+    "Result",
+    "Scene",
+    "SceneError",
+    "Undecided",
+    "load_scene",
+    "solve",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name on first use, so that the command line starts without numpy."""
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("planar-planner")
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

@@ -1,0 +1,31 @@
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+_PolygonArrays = tuple[NDArray[np.float64], NDArray[np.uint32], NDArray[np.uint32]]
+
+class Core:
+    def __init__(
+        self,
+        robot: _PolygonArrays,
+        obstacles: _PolygonArrays,
+        workspace_box: tuple[float, float, float, float] | None,
+        workspace: _PolygonArrays | None,
+        reference_bounds: tuple[float, float, float, float] | None,
+        rotation: bool,
+    ) -> None: ...
+    def placement(self, q: tuple[float, float, float]) -> dict[str, Any]: ...
+    def solve(
+        self,
+        start: tuple[float, float, float],
+        goal: tuple[float, float, float],
+        resolution: float,
+        max_cells: int,
+        timeout: float,
+        max_memory: int,
+        contact_tolerance: float,
+        listener: Callable[[dict[str, Any]], bool] | None,
+    ) -> dict[str, Any]: ...
+    def check_path(self, path: NDArray[np.float64]) -> dict[str, Any]: ...

@@ -1,0 +1,56 @@
+"""`planar-planner show`: describe and draw a scene without solving it."""
+
+from __future__ import annotations
+
+import argparse
+
+from planar_planner.builtin import manifest
+from planar_planner.errors import one_line
+from planar_planner.fields import Configuration
+from planar_planner.output import check_writable, emit, written_aside
+from planar_planner.problem import Problem, make_problem
+from planar_planner.scene import Scene, load_scene
+from planar_planner.size import scene_size
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Check the scene's shapes, print its facts, draw it if asked."""
+    if arguments.plot is not None:
+        check_writable(arguments.plot)
+    scene = load_scene(arguments.scene)
+    emit(description(scene, make_problem(scene)))
+    if arguments.plot is not None:
+        from planar_planner.plot import draw_scene
+
+        with written_aside(arguments.plot) as aside:
+            draw_scene(scene, None, aside)
+    return 0
+
+
+def description(scene: Scene, problem: Problem) -> str:
+    """Return the facts of a scene, one a line."""
+    size = scene_size(scene)
+    lines = [one_line(f"{scene.name}: {scene.description}" if scene.description else scene.name)]
+    lines.append(f"  robot: {size.robot_polygons} polygon(s), {size.robot_vertices} vertices")
+    lines.append(
+        f"  obstacles: {size.obstacle_polygons} polygon(s), {size.obstacle_vertices} vertices"
+    )
+    if problem.workspace_box is not None:
+        lines.append(f"  workspace: box {list(problem.workspace_box)}")
+    if problem.workspace is not None:
+        lines.append(f"  workspace: polygon, {len(problem.workspace.coords)} vertices")
+    if problem.reference_bounds is not None:
+        lines.append(f"  reference point in: {list(problem.reference_bounds)}")
+    lines.append(f"  start: {_text(problem.start)}, goal: {_text(problem.goal)}")
+    if not problem.rotation:
+        lines.append("  the robot may not turn")
+    entry = manifest().get(scene.source)
+    if entry is not None:
+        lines.append(
+            f"  expected: {entry['expected'].replace('_', ' ')}; origin: {entry['origin']}"
+        )
+    return "\n".join(lines)
+
+
+def _text(q: Configuration) -> str:
+    return f"({q[0]:g}, {q[1]:g}, {q[2]:g})"

@@ -1,0 +1,96 @@
+"""The three verdicts, and their form as JSON."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+FORMAT = "planar-planner/result"
+VERSION = 1
+
+
+@dataclass(frozen=True, eq=False)
+class _Answer:
+    """What the three verdicts share.
+
+    Attributes
+    ----------
+    scene : str
+        Name of the scene.
+    reason : str
+        What decided: for a path or its absence how it was found, for an undecided query the limit
+        that was reached.
+    path : NDArray, shape (N, 3)
+        Waypoints (x, y, theta), theta in radians and unwrapped; N = 0 without a path.
+    stats : mapping
+        Counts and times; the keys are listed in docs/method.md.
+    """
+
+    verdict: ClassVar[str]
+    scene: str
+    reason: str
+    path: NDArray[np.float64]
+    stats: Mapping[str, Any]
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the result as a JSON object: plain, finite values only, others as null."""
+        return {
+            "format": FORMAT,
+            "version": VERSION,
+            "scene": self.scene,
+            "verdict": self.verdict,
+            "reason": self.reason,
+            "path": self.path.tolist(),
+            "stats": _plain(self.stats),
+        }
+
+
+class PathFound(_Answer):
+    """A path, certified free along its whole length; linear in (x, y, theta) between waypoints."""
+
+    verdict = "path"
+
+
+class NoPath(_Answer):
+    """Proof that there is none: cells and faces wholly in collision separate start from goal."""
+
+    verdict = "no_path"
+
+
+class Undecided(_Answer):
+    """A limit was reached, or the user stopped the search, before either could be shown."""
+
+    verdict = "undecided"
+
+
+Result = PathFound | NoPath | Undecided
+
+_VERDICTS: Mapping[str, type[PathFound] | type[NoPath] | type[Undecided]] = {
+    answer.verdict: answer for answer in (PathFound, NoPath, Undecided)
+}
+
+
+def make_result(scene: str, answer: Mapping[str, Any]) -> Result:
+    """Build the result from the core's answer."""
+    path = np.array(answer["path"], dtype=np.float64).reshape(-1, 3)
+    path.setflags(write=False)
+    kind = _VERDICTS[answer["verdict"]]
+    return kind(scene, str(answer["reason"]), path, dict(answer["stats"]))
+
+
+def _plain(value: Any) -> Any:
+    """Return `value` in JSON's own types; a clearance to nothing (infinite) becomes null."""
+    if isinstance(value, Mapping):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, (np.ndarray, np.generic)):
+        return _plain(value.tolist())
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
