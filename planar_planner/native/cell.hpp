@@ -1,0 +1,64 @@
+// Cells of the (x, y, theta) domain as exact dyadic boxes; theta in turns, so that wrapping is
+// exact. Coordinates count 2^-60 of the domain's width, height and of a turn.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "pdg/native/motion.hpp"
+#include "problem.hpp"
+
+namespace planner {
+
+inline constexpr int kCoordinateBits = 60;
+inline constexpr std::uint64_t kUnit = std::uint64_t{1} << kCoordinateBits;
+// Deepest split of one axis: centres of cells stay exact doubles (level + 1 <= 53).
+inline constexpr int kMaxLevel = 50;
+
+enum Axis : int { kX = 0, kY = 1, kTheta = 2 };
+
+struct CellBox {
+  std::array<std::uint64_t, 3> low{};
+  std::array<std::uint8_t, 3> level{};
+
+  [[nodiscard]] std::uint64_t size(const int axis) const { return kUnit >> level[axis]; }
+  [[nodiscard]] std::uint64_t high(const int axis) const { return low[axis] + size(axis); }
+};
+
+struct Halves {
+  CellBox lower, upper;
+};
+Halves halve(const CellBox& box, int axis);
+
+// The closed boxes share a face of positive area; `axis` is its normal.
+bool adjacent(const CellBox& a, const CellBox& b, int& axis);
+
+// A face or a cell as exact extents: axes with size 0 are flat.
+struct Extent {
+  std::array<std::uint64_t, 3> low{};
+  std::array<std::uint64_t, 3> size{};
+};
+Extent extent_of(const CellBox& box);
+// The common face of two adjacent boxes with normal `axis`.
+Extent common_face(const CellBox& a, const CellBox& b, int axis);
+
+// cos and sin of 2 pi k 2^-60, reduced exactly to an eighth of a turn: error below 3 u.
+pdg::Rotation rotation_of_turns(std::uint64_t turns);
+
+// Radians of k 2^-60 turns.
+double radians_of_turns(std::uint64_t turns);
+
+// What the planner works on besides the domain: with `rotation` false, theta is one fixed angle.
+struct CellSpace {
+  Domain domain;
+  bool rotation = true;
+  double fixed_theta = 0.0;
+};
+
+pdg::Motion motion_of(const CellSpace& space, const Extent& extent);
+pdg::Rotation rotation_of(const CellSpace& space, const Extent& extent);
+
+// Planner-unit coordinates of a dyadic point.
+Vec2 position_of(const CellSpace& space, std::uint64_t x, std::uint64_t y);
+
+}  // namespace planner

@@ -1,0 +1,96 @@
+#include "face.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace planner {
+
+namespace {
+
+// A face is halved at most so often, and at most so many parts are looked at, before one of its
+// cells is split instead. Larger values trade cells for face tests.
+constexpr int kFaceDepth = 10;
+constexpr int kFaceBudget = 48;
+
+std::uint64_t middle(const std::uint64_t low, const std::uint64_t size) { return low + size / 2; }
+
+int widest_axis(const pdg::Motion& m, const double radius, const Extent& face) {
+  const std::array<double, 3> width{m.g1.x, m.g2.y, radius * m.half_angle};
+  int widest = -1;
+  for (int k = 0; k < 3; ++k)
+    if (face.size[k] > 1 && (widest < 0 || width[k] > width[widest])) widest = k;
+  return widest;
+}
+
+}  // namespace
+
+Link FaceTest::test(const CellId a, const CellId b) {
+  const Stopwatch watch(statistics_.seconds.faces);
+  ++statistics_.faces_tested;
+  const Cell& first = subdivision_.cell(a);
+  const Cell& second = subdivision_.cell(b);
+  int axis = 0;
+  adjacent(first.box, second.box, axis);
+  Extent face = common_face(first.box, second.box, axis);
+  if (!subdivision_.space().rotation) face.size[kTheta] = 0;
+  if (first.label == Label::kFree || second.label == Label::kFree) {
+    const CellSpace& space = subdivision_.space();
+    const Vec2 t = position_of(space, middle(face.low[kX], face.size[kX]),
+                               middle(face.low[kY], face.size[kY]));
+    return {LinkState::kOpen, {t, middle(face.low[kTheta], face.size[kTheta])}};
+  }
+  const ConstraintView left = subdivision_.undecided(a);
+  const ConstraintView right = subdivision_.undecided(b);
+  const ConstraintView list = left.constraints.size() <= right.constraints.size() ? left : right;
+  if (const auto connector = quick_connector(a, b, face, list))
+    return {LinkState::kOpen, *connector};
+  int budget = kFaceBudget;
+  return label_face(face, list, kFaceDepth, budget);
+}
+
+// Points worth a try: the face's centre and the guards' projections, at the face's central angle.
+std::optional<Connector> FaceTest::quick_connector(const CellId a, const CellId b,
+                                                   const Extent& face, const ConstraintView& list) {
+  const CellSpace& space = subdivision_.space();
+  const pdg::Motion m = motion_of(space, face);
+  const pdg::PosedRobot& posed = labeller_.posed(rotation_of(space, face));
+  const auto clamped = [&](const Vec2 p) {
+    return Vec2{std::clamp(p.x, m.t.x - m.g1.x, m.t.x + m.g1.x),
+                std::clamp(p.y, m.t.y - m.g2.y, m.t.y + m.g2.y)};
+  };
+  const Vec2 ga = subdivision_.guard(a);
+  const Vec2 gb = subdivision_.guard(b);
+  for (const Vec2 p : {clamped(0.5 * (ga + gb)), clamped(ga), clamped(gb), m.t})
+    if (is_free(labeller_.robot(), labeller_.tree(), posed, p, space.domain.reach, list))
+      return Connector{p, middle(face.low[kTheta], face.size[kTheta])};
+  return std::nullopt;
+}
+
+Link FaceTest::label_face(const Extent& face, const ConstraintView& parent, const int depth,
+                          int& budget) {
+  --budget;
+  const CellSpace& space = subdivision_.space();
+  const pdg::Motion motion = motion_of(space, face);
+  const pdg::PosedRobot& posed = labeller_.posed(rotation_of(space, face));
+  ConstraintList list;
+  const LabelResult result = labeller_.label(motion, posed, parent, list);
+  const std::uint64_t turns = middle(face.low[kTheta], face.size[kTheta]);
+  if (result.label == Label::kFull) return {LinkState::kBlocked, {}};
+  if (result.label == Label::kFree) return {LinkState::kOpen, {motion.t, turns}};
+  if (const auto guard = star_.find_guard(motion, posed, view(list)))
+    return {LinkState::kOpen, {*guard, turns}};
+  const int axis = widest_axis(motion, result.turning_radius, face);
+  if (depth == 0 || budget <= 0 || axis < 0) return {};
+  LinkState state = LinkState::kBlocked;
+  for (const int half : {0, 1}) {
+    Extent part = face;
+    part.size[axis] /= 2;
+    if (half == 1) part.low[axis] += part.size[axis];
+    const Link link = label_face(part, view(list), depth - 1, budget);
+    if (link.state == LinkState::kOpen) return link;
+    if (link.state == LinkState::kDoubtful) state = LinkState::kDoubtful;
+  }
+  return {state, {}};
+}
+
+}  // namespace planner

@@ -1,0 +1,50 @@
+// Links between adjacent solid cells (design: "Faces and connectors"). A face is a cell with one
+// half-extent zero; the same labelling decides it, recursively.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "subdivision.hpp"
+
+namespace planner {
+
+// A free configuration on a common face, seen by the guards on both sides.
+struct Connector {
+  Vec2 t;                  // planner units
+  std::uint64_t turns = 0; // dyadic, in [0, 2^60]; 2^60 and 0 are the same angle
+};
+
+enum class LinkState : std::uint8_t {
+  kOpen,      // a connector is known
+  kBlocked,   // the whole face is FULL
+  kDoubtful,  // still mixed at the limit: proves nothing either way
+};
+
+struct Link {
+  LinkState state = LinkState::kDoubtful;
+  Connector connector;
+};
+
+class FaceTest {
+ public:
+  FaceTest(const Subdivision& subdivision, Labeller& labeller, Statistics& statistics)
+      : subdivision_(subdivision), labeller_(labeller), statistics_(statistics),
+        star_(labeller.robot(), labeller.tree()) {}
+
+  // Both cells are solid leaves that share a face.
+  Link test(CellId a, CellId b);
+
+ private:
+  Link label_face(const Extent& face, const ConstraintView& parent, int depth, int& budget);
+  std::optional<Connector> quick_connector(CellId a, CellId b, const Extent& face,
+                                           const ConstraintView& list);
+
+  const Subdivision& subdivision_;
+  Labeller& labeller_;
+  Statistics& statistics_;
+  StarTest star_;
+};
+
+}  // namespace planner

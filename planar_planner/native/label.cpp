@@ -1,0 +1,153 @@
+#include "label.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pdg/native/tolerances.hpp"
+
+namespace planner {
+
+using pdg::Motion;
+
+// State of one labelling; false from a visitor means FULL: stop.
+struct Labeller::Pass {
+  const Motion& motion;
+  const pdg::PosedRobot& posed;
+  ConstraintList& out;
+  Vec2 extent;  // half-extents of the translations along x and y
+  LabelResult result;
+};
+
+namespace {
+
+// Half-extents of the box that holds the translations.
+Vec2 box_extent(const Motion& m) {
+  return {std::abs(m.g1.x) + std::abs(m.g2.x), std::abs(m.g1.y) + std::abs(m.g2.y)};
+}
+
+// Lower bound of the distance from the translations' box to a rectangle.
+double distance_to_box(const Motion& m, const Vec2 extent, const Vec2 low, const Vec2 high) {
+  const double dx = std::max({low.x - m.t.x, m.t.x - high.x, 0.0}) - extent.x;
+  const double dy = std::max({low.y - m.t.y, m.t.y - high.y, 0.0}) - extent.y;
+  return pdg::norm({std::max(dx, 0.0), std::max(dy, 0.0)});
+}
+
+// Lower bound of the distance between bounding circles over the motion.
+double circle_gap(const Motion& m, const Vec2 extent, const pdg::Rotation rotation,
+                  const pdg::ConvexPiece& a, const pdg::ConvexPiece& b) {
+  const Vec2 d = m.t + pdg::rotate(rotation, a.centre) - b.centre;
+  const double dx = std::max(std::abs(d.x) - extent.x, 0.0);
+  const double dy = std::max(std::abs(d.y) - extent.y, 0.0);
+  // |R(theta + delta) c - R(theta) c| = 2 |c| sin(|delta| / 2) <= |c| |delta|
+  return pdg::norm({dx, dy}) - pdg::norm(a.centre) * m.half_angle - a.radius - b.radius;
+}
+
+}  // namespace
+
+void Labeller::root_list(ConstraintList& out) const {
+  out.clear();
+  for (std::uint32_t wall = 0; wall < tree_.wall_count(); ++wall) {
+    const std::size_t before = out.constraints.size();
+    pdg::all_constraints(robot_.pieces.back(), tree_.piece(wall), out.constraints);
+    out.pairs.push_back(
+        {wall, robot_.hull(), static_cast<std::uint16_t>(out.constraints.size() - before)});
+  }
+  if (!tree_.empty()) out.pairs.push_back({tree_.root(), kNode, 0});
+}
+
+const pdg::PosedRobot& Labeller::posed(const pdg::Rotation rotation) {
+  if (posed_.vertices.empty() || posed_.rotation.cos != rotation.cos ||
+      posed_.rotation.sin != rotation.sin)
+    pose(robot_, rotation, posed_);
+  return posed_;
+}
+
+LabelResult Labeller::label(const Motion& motion, const pdg::PosedRobot& posed,
+                            const ConstraintView& parent, ConstraintList& out) {
+  out.clear();
+  Pass pass{motion, posed, out, box_extent(motion), {}};
+  pass.result.clearance = INFINITY;
+  pass.result.separation = INFINITY;
+  std::size_t at = 0;
+  for (const PairHeader& header : parent.pairs) {
+    const bool go_on =
+        header.robot == kNode
+            ? visit_node(pass, header.obstacle)
+            : judge(pass, header.obstacle, header.robot, parent.constraints.subspan(at, header.count));
+    at += header.count;
+    if (!go_on) return pass.result;
+  }
+  pass.result.label = out.pairs.empty() ? Label::kFree : Label::kMixed;
+  return pass.result;
+}
+
+bool Labeller::visit_node(Pass& pass, const std::uint32_t index) {
+  const TreeNode& node = tree_.node(index);
+  const double error = pdg::kSeparationErrorUnits * pdg::kUnitRoundoff *
+                       (robot_.reach + pass.motion.reach +
+                        std::max(std::max(std::abs(node.low.x), std::abs(node.high.x)),
+                                 std::max(std::abs(node.low.y), std::abs(node.high.y))));
+  const double gap =
+      distance_to_box(pass.motion, pass.extent, node.low, node.high) - robot_.reach - error;
+  if (gap >= 0.0) {
+    pass.result.clearance = std::min(pass.result.clearance, gap);
+    return true;
+  }
+  // A pair can only fill a box that is no larger than its Minkowski sum; and no guard sees round
+  // something small inside a large cell. Until then the node stays closed.
+  if (std::max(pass.extent.x, pass.extent.y) > robot_.reach + node.largest_leaf) {
+    pass.out.pairs.push_back({index, kNode, 0});
+    pass.result.turning_radius = robot_.reach;
+    pass.result.separation = std::min(pass.result.separation, 0.0);
+    return true;
+  }
+  tree_.expand(index);
+  if (tree_.node(index).piece != kNoPiece) return visit_piece(pass, tree_.node(index).piece);
+  const std::uint32_t left = tree_.node(index).left;
+  return visit_node(pass, left) && visit_node(pass, left + 1);
+}
+
+bool Labeller::visit_piece(Pass& pass, const std::uint32_t piece) {
+  const pdg::ConvexPiece& b = tree_.piece(piece);
+  for (std::size_t i = 0; i < robot_.body_pieces(); ++i) {
+    const pdg::ConvexPiece& a = robot_.pieces[i];
+    ++statistics_.pairs_touched;
+    const double gap = circle_gap(pass.motion, pass.extent, pass.posed.rotation, a, b) -
+                       pdg::separation_error(a, b, pass.motion);
+    if (gap >= 0.0) {
+      pass.result.clearance = std::min(pass.result.clearance, gap);
+      continue;
+    }
+    fresh_.clear();
+    pdg::all_constraints(a, b, fresh_);
+    if (!judge(pass, piece, static_cast<std::uint16_t>(i), fresh_)) return false;
+  }
+  return true;
+}
+
+bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16_t robot,
+                     const std::span<const pdg::Constraint> active) {
+  const std::size_t before = pass.out.constraints.size();
+  const pdg::PairVerdict verdict = pdg::judge_pair(
+      posed_piece(robot_, pass.posed, robot), tree_.piece(obstacle), pass.motion, active,
+      pass.out.constraints, statistics_.separation_evaluations);
+  LabelResult& result = pass.result;
+  switch (verdict.label) {
+    case pdg::PairLabel::kApart:
+      result.clearance = std::min(result.clearance, verdict.clearance);
+      return true;
+    case pdg::PairLabel::kOverlap:
+      result.label = Label::kFull;
+      result.witness = {obstacle, robot};
+      result.separation = verdict.centre;
+      return false;
+    case pdg::PairLabel::kUndecided: break;
+  }
+  pass.out.pairs.push_back(
+      {obstacle, robot, static_cast<std::uint16_t>(pass.out.constraints.size() - before)});
+  result.separation = std::min(result.separation, verdict.centre);
+  result.turning_radius = std::max(result.turning_radius, robot_.pieces[robot].reach);
+  return true;
+}
+
+}  // namespace planner

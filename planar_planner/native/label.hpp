@@ -1,0 +1,71 @@
+// Labels of cells, faces and segments: FREE and FULL hold for every configuration of the closed
+// set, in exact arithmetic; everything else is MIXED.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "constraints.hpp"
+#include "obstacle_tree.hpp"
+#include "pdg/native/motion.hpp"
+#include "robot.hpp"
+#include "statistics.hpp"
+
+namespace planner {
+
+enum class Label : std::uint8_t {
+  kFree,   // every configuration free
+  kStar,   // the free part is star-shaped about a guard (star.hpp)
+  kFull,   // every configuration in C-obstacle, of one pair of pieces
+  kMixed,  // undecided
+};
+
+struct Witness {
+  std::uint32_t obstacle = 0;  // piece of the obstacle tree
+  std::uint16_t robot = 0;     // piece of the robot
+};
+
+struct LabelResult {
+  Label label = Label::kMixed;
+  Witness witness;          // kFull
+  double clearance = 0.0;   // lower bound over the pairs dropped here (planner units)
+  double separation = 0.0;  // kMixed: estimate at the centre, least over pairs; a hint, no bound
+  double turning_radius = 0.0;  // kMixed: largest radius of the robot pieces still active
+};
+
+// Owns the scratch memory of labelling; one per search.
+class Labeller {
+ public:
+  Labeller(const Robot& robot, ObstacleTree& tree, Statistics& statistics)
+      : robot_(robot), tree_(tree), statistics_(statistics) {}
+
+  // Everything that can touch the robot, to start from.
+  void root_list(ConstraintList& out) const;
+
+  // Judges the motion against what `parent` left undecided. `out` receives what stays undecided
+  // (meaningful for kMixed). `parent` must not alias `out`.
+  LabelResult label(const pdg::Motion& motion, const pdg::PosedRobot& posed,
+                    const ConstraintView& parent, ConstraintList& out);
+
+  // The robot at a rotation; valid until the next call.
+  const pdg::PosedRobot& posed(pdg::Rotation rotation);
+
+  [[nodiscard]] const Robot& robot() const { return robot_; }
+  [[nodiscard]] const ObstacleTree& tree() const { return tree_; }
+
+ private:
+  struct Pass;
+
+  bool visit_node(Pass& pass, std::uint32_t node);
+  bool visit_piece(Pass& pass, std::uint32_t piece);
+  bool judge(Pass& pass, std::uint32_t obstacle, std::uint16_t robot,
+             std::span<const pdg::Constraint> active);
+
+  const Robot& robot_;
+  ObstacleTree& tree_;
+  Statistics& statistics_;
+  pdg::PosedRobot posed_;
+  std::vector<pdg::Constraint> fresh_;
+};
+
+}  // namespace planner

@@ -1,0 +1,28 @@
+// Where a search stops: the user's limits, and a listener that may interrupt it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+namespace planner {
+
+struct Limits {
+  double resolution = 1e-9;  // smallest cell: motion radius relative to the domain's half-extent
+  std::uint64_t max_cells = 5'000'000;
+  double timeout = std::numeric_limits<double>::infinity();  // seconds
+  std::uint64_t max_memory = std::uint64_t{4} << 30;         // bytes
+  double contact_tolerance = 0.0;                            // user's length unit
+};
+
+struct Progress {
+  double elapsed = 0.0;  // seconds
+  std::uint64_t cells = 0, free = 0, star = 0, full = 0, mixed = 0;
+  std::uint64_t channel_length = 0;
+  std::uint64_t rounds = 0;
+};
+
+// False stops the search.
+using Listener = std::function<bool(const Progress&)>;
+
+}  // namespace planner

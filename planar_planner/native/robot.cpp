@@ -1,0 +1,99 @@
+#include "robot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pdg/native/decompose.hpp"
+#include "pdg/native/predicates.hpp"
+#include "pdg/native/tolerances.hpp"
+
+namespace planner {
+
+namespace {
+
+// Andrew's monotone chain with the exact orientation predicate: strictly convex.
+pdg::ConvexPolygon convex_hull(std::vector<Vec2> points) {
+  const auto before = [](const Vec2 a, const Vec2 b) {
+    return a.x < b.x || (a.x == b.x && a.y < b.y);
+  };
+  std::sort(points.begin(), points.end(), before);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  pdg::ConvexPolygon hull;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t base = hull.size();
+    for (const Vec2 p : points) {
+      while (hull.size() >= base + 2 && pdg::orient2d(hull[hull.size() - 2], hull.back(), p) <= 0)
+        hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+// Signed distance of the origin to the piece's boundary lines: > 0 outside some edge.
+double origin_outside(const pdg::ConvexPiece& piece) {
+  double outside = -INFINITY;
+  for (const pdg::Edge& edge : piece.edges) outside = std::max(outside, -edge.offset);
+  return outside;
+}
+
+// Distance of the origin from a convex piece, by its edges' nearest points.
+double origin_distance(const pdg::ConvexPiece& piece) {
+  if (origin_outside(piece) <= 0.0) return 0.0;
+  double nearest = INFINITY;
+  for (std::size_t k = 0; k < piece.edges.size(); ++k) {
+    const Vec2 a = piece.edges[k].vertex;
+    const Vec2 along = piece.edges[(k + 1) % piece.edges.size()].vertex - a;
+    const double s = std::clamp(-pdg::dot(a, along) / pdg::dot(along, along), 0.0, 1.0);
+    nearest = std::min(nearest, pdg::norm(a + s * along));
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Robot make_robot(const PolygonSet& polygons, const int exponent) {
+  Robot robot;
+  const pdg::Frame frame{{}, exponent};
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const Polygon polygon = polygons.polygon(i);
+    points.insert(points.end(), polygon.rings[0].begin(), polygon.rings[0].end());
+    for (const pdg::ConvexPolygon& piece : pdg::convex_pieces(polygon)) {
+      robot.pieces.push_back(pdg::make_piece(piece, frame));
+      robot.polygon_of_piece.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  robot.pieces.push_back(pdg::make_piece(convex_hull(std::move(points)), frame));
+  robot.polygon_of_piece.push_back(0);
+  for (const pdg::ConvexPiece& piece : robot.pieces) {
+    robot.first_vertex.push_back(static_cast<std::uint32_t>(robot.vertex_total));
+    robot.vertex_total += piece.edges.size();
+    robot.reach = std::max(robot.reach, piece.reach);
+    if (&piece != &robot.pieces.back())
+      robot.inner_reach = std::max(robot.inner_reach, -origin_outside(piece));
+  }
+  robot.first_vertex.push_back(static_cast<std::uint32_t>(robot.vertex_total));
+  const double slack = 8.0 * pdg::kUnitRoundoff * robot.reach;
+  robot.inner_reach = std::max(0.0, robot.inner_reach - slack);
+  robot.hull_distance = origin_distance(robot.pieces.back());
+  if (robot.hull_distance > 0.0) robot.hull_distance += slack;
+  return robot;
+}
+
+void pose(const Robot& robot, const pdg::Rotation rotation, pdg::PosedRobot& out) {
+  out.rotation = rotation;
+  out.vertices.resize(robot.vertex_total);
+  out.normals.resize(robot.vertex_total);
+  std::size_t i = 0;
+  for (const pdg::ConvexPiece& piece : robot.pieces)
+    for (const pdg::Edge& edge : piece.edges) {
+      out.vertices[i] = pdg::rotate(rotation, edge.vertex);
+      out.normals[i] = pdg::rotate(rotation, edge.normal);
+      ++i;
+    }
+}
+
+}  // namespace planner

@@ -1,0 +1,112 @@
+#include "segment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <queue>
+
+#include "star.hpp"
+
+namespace planner {
+
+namespace {
+
+// A segment that needs more labelled intervals, or deeper bisection, counts as not certified.
+constexpr int kIntervalBudget = 2000;
+constexpr std::size_t kDepth = 44;
+
+pdg::Rotation rotation_at(const double theta) { return {std::cos(theta), std::sin(theta)}; }
+
+Pose between(const Pose& from, const Pose& to, const double s) {
+  return {from.t + s * (to.t - from.t), from.theta + s * (to.theta - from.theta)};
+}
+
+}  // namespace
+
+pdg::Motion SegmentTest::motion_along(const Pose& from, const Pose& to, const Interval i) const {
+  pdg::Motion m;
+  const double half = 0.5 * (i.end - i.begin);
+  m.t = between(from, to, 0.5 * (i.begin + i.end)).t;
+  m.g1 = half * (to.t - from.t);
+  m.g1_length = pdg::norm(m.g1);
+  m.half_angle = half * std::abs(to.theta - from.theta);
+  m.cos_half = std::cos(m.half_angle);
+  m.sin_half = std::sin(m.half_angle);
+  m.reach = problem_.domain.reach;
+  // theta is rounded once at its own magnitude, here and when the pose was made.
+  m.angle_factor = 1.0 + std::max(std::abs(from.theta), std::abs(to.theta));
+  return m;
+}
+
+bool SegmentTest::is_free(const Pose& pose) {
+  ConstraintList root, rest;
+  labeller_.root_list(root);
+  const pdg::Motion m = motion_along(pose, pose, {0.0, 1.0});
+  return labeller_.label(m, labeller_.posed(rotation_at(pose.theta)), view(root), rest).label ==
+         Label::kFree;
+}
+
+bool SegmentTest::certify(const Pose& from, const Pose& to) {
+  ++statistics_.segments_tested;
+  if (lists_.size() < kDepth + 2) lists_.resize(kDepth + 2);
+  labeller_.root_list(lists_[0]);
+  budget_ = kIntervalBudget;
+  return certify_interval(from, to, {0.0, 1.0}, view(lists_[0]), 1);
+}
+
+bool SegmentTest::certify_interval(const Pose& from, const Pose& to, const Interval interval,
+                                   const ConstraintView& parent, const std::size_t depth) {
+  if (depth > kDepth || --budget_ < 0) return false;
+  const double middle = 0.5 * (interval.begin + interval.end);
+  const pdg::Motion motion = motion_along(from, to, interval);
+  ConstraintView list = parent;
+  if (motion.half_angle <= std::numbers::pi / 2) {
+    const Pose centre = between(from, to, middle);
+    const pdg::PosedRobot& posed = labeller_.posed(rotation_at(centre.theta));
+    const LabelResult result = labeller_.label(motion, posed, parent, lists_[depth]);
+    if (result.label == Label::kFree) return true;
+    if (result.label == Label::kFull) return false;
+    list = view(lists_[depth]);
+    const bool closed_nodes = std::any_of(list.pairs.begin(), list.pairs.end(),
+                                          [](const PairHeader& h) { return h.robot == kNode; });
+    if (!closed_nodes && !planner::is_free(labeller_.robot(), labeller_.tree(), posed, motion.t,
+                                           motion.reach, list))
+      return false;
+  }
+  return certify_interval(from, to, {interval.begin, middle}, list, depth + 1) &&
+         certify_interval(from, to, {middle, interval.end}, list, depth + 1);
+}
+
+double SegmentTest::clearance_of(const Pose& from, const Pose& to, const Interval interval) {
+  const pdg::Motion motion = motion_along(from, to, interval);
+  if (motion.half_angle > std::numbers::pi / 2) return 0.0;
+  const Pose centre = between(from, to, 0.5 * (interval.begin + interval.end));
+  labeller_.root_list(lists_[0]);
+  const LabelResult result = labeller_.label(
+      motion, labeller_.posed(rotation_at(centre.theta)), view(lists_[0]), lists_[1]);
+  return result.label == Label::kFree ? result.clearance : 0.0;
+}
+
+double SegmentTest::least_clearance(const Pose& from, const Pose& to, const double cap,
+                                    const double tolerance, int intervals) {
+  struct Open {
+    double bound;
+    Interval interval;
+    bool operator<(const Open& other) const { return bound > other.bound; }
+  };
+  if (lists_.size() < kDepth + 2) lists_.resize(kDepth + 2);
+  std::priority_queue<Open> open;
+  open.push({clearance_of(from, to, {0.0, 1.0}), {0.0, 1.0}});
+  double upper = cap;  // no point of the segment decides below this
+  while (open.top().bound < (1.0 - tolerance) * upper && intervals-- > 0) {
+    const Interval i = open.top().interval;
+    open.pop();
+    const double middle = 0.5 * (i.begin + i.end);
+    upper = std::min(upper, clearance_of(from, to, {middle, middle}));
+    for (const Interval half : {Interval{i.begin, middle}, Interval{middle, i.end}})
+      open.push({clearance_of(from, to, half), half});
+  }
+  return std::min(open.top().bound, cap);
+}
+
+}  // namespace planner

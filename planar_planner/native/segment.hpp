@@ -1,0 +1,52 @@
+// Continuous certificates of straight motions: linear in (x, y, theta), bisected until every
+// sub-interval is FREE by the same labelling as cells, never sampled.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "label.hpp"
+#include "problem.hpp"
+
+namespace planner {
+
+// Planner units; theta in radians, unwrapped.
+struct Pose {
+  Vec2 t;
+  double theta = 0.0;
+};
+
+class SegmentTest {
+ public:
+  SegmentTest(const Problem& problem, Labeller& labeller, Statistics& statistics)
+      : problem_(problem), labeller_(labeller), statistics_(statistics) {}
+
+  // True: every configuration from one pose to the other is free, in exact arithmetic, also for the
+  // real poses that these doubles were rounded from. False: collides, or needs too many intervals.
+  bool certify(const Pose& from, const Pose& to);
+
+  // Certified lower bound of the clearance along a certified segment, within the factor
+  // 1 - tolerance of the separation-axis clearance unless `intervals` run out; cut off at `cap`.
+  double least_clearance(const Pose& from, const Pose& to, double cap, double tolerance,
+                         int intervals);
+
+  // Is this single configuration free?
+  bool is_free(const Pose& pose);
+
+ private:
+  struct Interval {
+    double begin, end;
+  };
+  bool certify_interval(const Pose& from, const Pose& to, Interval interval,
+                        const ConstraintView& parent, std::size_t depth);
+  double clearance_of(const Pose& from, const Pose& to, Interval interval);
+  [[nodiscard]] pdg::Motion motion_along(const Pose& from, const Pose& to, Interval interval) const;
+
+  const Problem& problem_;
+  Labeller& labeller_;
+  Statistics& statistics_;
+  std::vector<ConstraintList> lists_;  // one per depth
+  int budget_ = 0;
+};
+
+}  // namespace planner

@@ -1,0 +1,52 @@
+// What was and what was not done, for the user and for the regression counts.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace planner {
+
+struct Seconds {
+  double preprocessing = 0.0;
+  double labelling = 0.0;
+  double faces = 0.0;
+  double search = 0.0;
+  double path = 0.0;
+  double total = 0.0;
+};
+
+struct Statistics {
+  std::uint64_t labelled_cells = 0;
+  std::uint64_t separation_evaluations = 0;
+  std::uint64_t pairs_touched = 0;
+  std::uint64_t pairs_total = 0;
+  std::uint64_t star_tests = 0;
+  std::uint64_t faces_tested = 0;
+  std::uint64_t segments_tested = 0;
+  std::uint64_t search_rounds = 0;
+  std::uint64_t search_expansions = 0;
+  std::uint64_t channel_length = 0;
+  std::uint64_t memory_bytes = 0;
+  Seconds seconds;
+  std::string decided_by;
+};
+
+// Adds the time of its life to one of the clocks above. Clocks never steer the search.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& total) : total_(total), begin_(std::chrono::steady_clock::now()) {}
+  ~Stopwatch() { total_ += elapsed(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  [[nodiscard]] double elapsed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  double& total_;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+}  // namespace planner
