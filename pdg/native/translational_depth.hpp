@@ -1,0 +1,34 @@
+// Translational penetration depth PD^t of two convex polygons ([PDG] Eq. 1), and its negative
+// counterpart, the distance of disjoint ones.
+#pragma once
+
+#include <cstdint>
+
+#include "polygon.hpp"
+
+namespace pdg {
+
+enum class PairState : std::uint8_t {
+  kApart,     // no common point
+  kTouching,  // common points, but disjoint interiors: PD^t = 0
+  kOverlap,   // common interior points: PD^t > 0
+};
+
+// `state` is decided exactly for the doubles given. The other fields are plain doubles with an
+// error of some 10 u times the polygons' extent (|coordinate| when far from the origin).
+struct TranslationalDepth {
+  PairState state = PairState::kApart;
+  double depth = 0.0;  // overlap: PD^t >= 0 (0 only by rounding); touching: 0; apart: -distance
+  Vec2 direction;      // unit: moving A by depth * direction makes the two touch
+  Vec2 on_a;           // the point of A that then meets ...
+  Vec2 on_b;           // ... this point of B: on_b = on_a + depth * direction
+};
+
+// Both strictly convex, counter-clockwise, in the same frame. Throws std::invalid_argument for a
+// coordinate outside the range of predicates.hpp.
+TranslationalDepth translational_depth(const ConvexPolygon& a, const ConvexPolygon& b);
+
+// The state alone; exact.
+PairState pair_state(const ConvexPolygon& a, const ConvexPolygon& b);
+
+}  // namespace pdg
