@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from planar_planner.errors import one_line
-from planar_planner.result import Result
+
+if TYPE_CHECKING:
+    from planar_planner.result import Result
 
 _HEADLINES = {
     "path": "path found",

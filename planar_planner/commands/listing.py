@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from planar_planner.builtin import builtin_scenes, manifest
+from planar_planner.builtin import manifest
 from planar_planner.output import emit
 from planar_planner.scene import load_scene
 from planar_planner.size import scene_size
@@ -12,20 +12,18 @@ _NUMERIC = 3  # columns 1 to 3 are aligned to the right
 
 
 def run() -> int:
-    """Print one line a scene: size of obstacles and robot, expected verdict, origin."""
-    known = manifest()
+    """Print one line a scene, in the manifest's order."""
     rows = [_HEADINGS]
-    for name in builtin_scenes():
+    for name, entry in manifest().items():
         size = scene_size(load_scene(name))
-        entry = known.get(name, {})
         rows.append(
             (
                 name,
                 str(size.obstacle_polygons),
                 str(size.obstacle_vertices),
                 str(size.robot_vertices),
-                str(entry.get("expected", "unknown")).replace("_", " "),
-                str(entry.get("origin", "unknown")),
+                entry["expected"].replace("_", " "),
+                entry["origin"],
             )
         )
     widths = [max(len(row[column]) for row in rows) for column in range(len(_HEADINGS))]

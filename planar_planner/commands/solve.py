@@ -5,34 +5,39 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from planar_planner.arguments import options_of
 from planar_planner.output import OutputError, check_writable, emit, written_aside
-from planar_planner.planner import Planner
 from planar_planner.progress import Progress
 from planar_planner.report import headline, statistics
-from planar_planner.result import Result
+from planar_planner.scene import Scene, load_scene
+
+if TYPE_CHECKING:
+    from planar_planner.result import Result
 
 _EXIT_STATUS = {"path": 0, "no_path": 1, "undecided": 3}
+_STDOUT = "-"
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Solve, then report: text, JSON, picture. The exit status is the verdict."""
     options = options_of(arguments)
-    to_stdout = arguments.json == "-"
-    json_file = Path(arguments.json) if arguments.json is not None and not to_stdout else None
+    json_file = None if arguments.json in (None, _STDOUT) else Path(arguments.json)
     for file in (json_file, arguments.plot):
         if file is not None:
             check_writable(file)
-    planner = Planner(arguments.scene)
+    scene = _with_overrides(load_scene(arguments.scene), arguments)
+    from planar_planner.planner import solve  # only now: a misspelt name is answered at once
+
     with Progress(sys.stderr, quiet=arguments.quiet) as progress:
-        result = planner.solve(arguments.start, arguments.goal, options, listener=progress)
-    if to_stdout:
-        emit_json(result)
+        result = solve(scene, options, listener=progress)
+    if arguments.json == _STDOUT:
+        _print_json(result)
     else:
-        brief = arguments.quiet or arguments.verdict_only
-        emit(headline(result) if brief else f"{headline(result)}\n{statistics(result)}")
+        _print_text(result, brief=arguments.quiet or arguments.verdict_only)
     if json_file is not None:
         with written_aside(json_file) as aside:
             aside.write_text(as_json(result) + "\n", encoding="utf-8")
@@ -40,8 +45,17 @@ def run(arguments: argparse.Namespace) -> int:
         from planar_planner.plot import draw_scene
 
         with written_aside(arguments.plot) as aside:
-            draw_scene(planner.scene, result, aside)
+            draw_scene(scene, result, aside)
     return _EXIT_STATUS[result.verdict]
+
+
+def _with_overrides(scene: Scene, arguments: argparse.Namespace) -> Scene:
+    """Put start and goal of the command line in place of the scene's own."""
+    return replace(
+        scene,
+        start=scene.start if arguments.start is None else arguments.start,
+        goal=scene.goal if arguments.goal is None else arguments.goal,
+    )
 
 
 def as_json(result: Result) -> str:
@@ -49,8 +63,12 @@ def as_json(result: Result) -> str:
     return json.dumps(result.to_json(), indent=1, allow_nan=False)
 
 
-def emit_json(result: Result) -> None:
+def _print_json(result: Result) -> None:
     """Print the result and nothing else to standard output, which must be there."""
     if sys.stdout is None:
         raise OutputError("cannot write standard output: it is closed")
     emit(as_json(result))
+
+
+def _print_text(result: Result, *, brief: bool) -> None:
+    emit(headline(result) if brief else f"{headline(result)}\n{statistics(result)}")

@@ -1,0 +1,78 @@
+"""Limits: defaults, legal ranges, clear refusals."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+import pytest
+
+from planar_planner.errors import OptionsError
+from planar_planner.options import Options
+
+
+def test_defaults() -> None:
+    assert dataclasses.asdict(Options()) == {
+        "resolution": 1e-9,
+        "max_cells": 5_000_000,
+        "timeout": 60.0,
+        "max_memory": 4 * 2**30,
+        "contact_tolerance": 0.0,
+    }
+
+
+def test_frozen() -> None:
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        Options().timeout = 1.0  # type: ignore[misc]
+
+
+@pytest.mark.parametrize(
+    "legal",
+    [
+        {"resolution": 1},
+        {"resolution": 5e-324},
+        {"timeout": math.inf},
+        {"timeout": 1},
+        {"max_cells": 1},
+        {"max_cells": 2**63 - 1},
+        {"max_memory": 1},
+        {"contact_tolerance": 1},
+    ],
+)
+def test_legal(legal: dict[str, Any]) -> None:
+    (name, value), *_ = legal.items()
+    found = getattr(Options(**legal), name)
+    assert found == value
+    assert type(found) is type(getattr(Options(), name))
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("resolution", 0),
+        ("resolution", -1e-9),
+        ("resolution", 1.5),
+        ("resolution", math.nan),
+        ("resolution", "1e-9"),
+        ("resolution", True),
+        ("timeout", 0),
+        ("timeout", -1),
+        ("timeout", math.nan),
+        ("timeout", None),
+        ("timeout", 10**400),
+        ("max_cells", 0),
+        ("max_cells", 1e6),
+        ("max_cells", True),
+        ("max_cells", 2**63),
+        ("max_memory", 0),
+        ("max_memory", -1),
+        ("max_memory", "4G"),
+        ("contact_tolerance", -1e-12),
+        ("contact_tolerance", math.inf),
+        ("contact_tolerance", math.nan),
+    ],
+)
+def test_illegal(name: str, value: Any) -> None:
+    with pytest.raises(OptionsError, match=name):
+        Options(**{name: value})
