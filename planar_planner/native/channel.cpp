@@ -16,6 +16,7 @@ double tune(const char* name, double value) {
   return s ? std::atof(s) : value;
 }
 const double kSlack = tune("T_SLACK", 0.3);
+const double kDown = tune("T_DOWN", 0.3);
 const double kSolid = tune("T_SOLID", 0.02);
 const double kPos0 = tune("T_POS0", 1.0), kPos1 = tune("T_POS1", 0.0), kNeg0 = tune("T_NEG0", 1.0), kNeg1 = tune("T_NEG1", 3.0);
 const double kSize = tune("T_SIZE", 1.0);
@@ -37,8 +38,7 @@ double crossing_cost(const Cell& cell) {
 }
 
 double ChannelSearch::step_cost(const CellId from, const CellId to) const {
-  const Cell& cell = subdivision_.cell(to);
-  const double cost = cell.exhausted ? kBarrier : static_cast<double>(cell.cost);
+  const double cost = nodes_[to].cost;
   if (doubtful_.empty() || !doubtful_.contains(edge_key(from, to))) return cost;
   return cost + kBarrier;
 }
@@ -51,17 +51,19 @@ std::size_t ChannelSearch::bytes() const {
 void ChannelSearch::reset(const CellId start, const CellId goal) {
   start_ = start;
   goal_ = goal;
-  nodes_.assign(subdivision_.size(), {kUnreached, kNoCell});
+  nodes_.clear();
+  add_nodes();
   open_ = {};
   orphans_ = {};
-  open_.push({0.0, start, kNoCell});
+  raised_ = {start};
 }
 
 void ChannelSearch::orphan(const CellId cell) {
   Node& node = nodes_[cell];
   if (node.distance == kUnreached) return;
   orphans_.push({node.distance, cell, kNoCell});
-  node = {kUnreached, kNoCell};
+  node.distance = node.queued = kUnreached;
+  node.predecessor = kNoCell;
 }
 
 void ChannelSearch::orphan_successors(const CellId cell) {
@@ -71,19 +73,44 @@ void ChannelSearch::orphan_successors(const CellId cell) {
 
 void ChannelSearch::before_split(const CellId cell) {
   orphan_successors(cell);
-  nodes_[cell] = {kUnreached, kNoCell};
+  parent_reached_ = nodes_[cell].distance < kUnreached;
+  nodes_[cell] = Node{};
 }
 
 void ChannelSearch::after_split(const CellId cell, const CellId start, const CellId goal) {
-  nodes_.resize(subdivision_.size(), {kUnreached, kNoCell});
+  add_nodes();
   start_ = start;
   goal_ = goal;
   const CellId first = subdivision_.cell(cell).children;
-  raised_.push_back(first);
-  raised_.push_back(first + 1);
+  CellId nearer = cheapest_step(first).key <= cheapest_step(first + 1).key ? first : first + 1;
+  if (start_ == first || start_ == first + 1) nearer = start_;
+  if (!parent_reached_) {
+    raised_.insert(raised_.end(), {first, first + 1});
+    return;
+  }
+  // At once, so that the parent's successors can stay where they are; the sibling may follow.
+  for (const CellId child : {nearer, 2 * first + 1 - nearer}) {
+    const Step step = cheapest_step(child);
+    if (step.key == kUnreached) continue;
+    nodes_[child].distance = nodes_[child].queued = step.key;
+    nodes_[child].predecessor = step.from;
+  }
 }
 
-void ChannelSearch::on_exhausted(const CellId cell) { orphan(cell); }
+void ChannelSearch::add_nodes() {
+  for (auto id = static_cast<CellId>(nodes_.size()); id < subdivision_.size(); ++id) {
+    const Cell& cell = subdivision_.cell(id);
+    Node node;
+    node.cost = cell.exhausted ? kBarrier : static_cast<double>(cell.cost);
+    node.live = cell.leaf() && cell.label != Label::kFull;
+    nodes_.push_back(node);
+  }
+}
+
+void ChannelSearch::on_exhausted(const CellId cell) {
+  nodes_[cell].cost = kBarrier;
+  orphan(cell);
+}
 
 void ChannelSearch::on_disconnected(const CellId a, const CellId b) {
   if (nodes_[a].predecessor == b) orphan(a);
@@ -109,7 +136,8 @@ bool ChannelSearch::adopt(const CellId cell, const double old_distance) {
     }
   }
   if (from == kNoCell) return false;
-  nodes_[cell] = {std::min(old_distance, best), from};
+  nodes_[cell].distance = nodes_[cell].queued = std::min(old_distance, best);
+  nodes_[cell].predecessor = from;
   return true;
 }
 
@@ -117,7 +145,7 @@ void ChannelSearch::mend() {
   while (!orphans_.empty()) {
     const Step lost = orphans_.top();
     orphans_.pop();
-    if (nodes_[lost.cell].distance != kUnreached || !subdivision_.cell(lost.cell).leaf()) continue;
+    if (nodes_[lost.cell].distance != kUnreached || !nodes_[lost.cell].live) continue;
     ++statistics_.search_expansions;
     if (lost.cell != start_ && adopt(lost.cell, lost.key)) continue;
     orphan_successors(lost.cell);
@@ -127,28 +155,38 @@ void ChannelSearch::mend() {
   raised_.clear();
 }
 
+// The cheapest way into a leaf from a reached neighbour; key kUnreached if there is none.
+ChannelSearch::Step ChannelSearch::cheapest_step(const CellId cell) const {
+  Step best{kUnreached, cell, kNoCell};
+  if (!nodes_[cell].live) return best;
+  if (cell == start_) return {0.0, cell, kNoCell};
+  for (const CellId next : subdivision_.cell(cell).neighbours) {
+    if (nodes_[next].distance == kUnreached) continue;
+    const double key = nodes_[next].distance + step_cost(next, cell);
+    if (key < best.key) best = {key, cell, next};
+  }
+  return best;
+}
+
 // Queues an unreached leaf behind its cheapest reached neighbour.
 void ChannelSearch::offer(const CellId cell) {
-  if (!subdivision_.cell(cell).leaf() || subdivision_.cell(cell).label == Label::kFull) return;
-  Step best{kUnreached, cell, kNoCell};
-  if (cell == start_) best.key = 0.0;
-  else
-    for (const CellId next : subdivision_.cell(cell).neighbours) {
-      if (nodes_[next].distance == kUnreached) continue;
-      const double key = nodes_[next].distance + step_cost(next, cell);
-      if (key < best.key) best = {key, cell, next};
-    }
-  if (best.key < kUnreached) open_.push(best);
+  const Step step = cheapest_step(cell);
+  nodes_[cell].queued = step.key;
+  if (step.key < kUnreached) open_.push(step);
 }
 
 void ChannelSearch::settle(const Step& step) {
   ++statistics_.search_expansions;
-  nodes_[step.cell] = {step.key, step.from};
+  nodes_[step.cell].distance = step.key;
+  nodes_[step.cell].predecessor = step.from;
   for (const CellId next : subdivision_.cell(step.cell).neighbours) {
+    Node& node = nodes_[next];
     const double cost = step_cost(step.cell, next);
     const double key = step.key + cost;
-    if (key < nodes_[next].distance - kSlack * cost || nodes_[next].distance == kUnreached)
-      open_.push({key, next, step.cell});
+    const bool better = node.distance == kUnreached || key < node.distance - kDown * cost;
+    if (!better || key >= node.queued) continue;
+    node.queued = key;
+    open_.push({key, next, step.cell});
   }
 }
 
@@ -158,13 +196,16 @@ bool ChannelSearch::find(std::vector<CellId>& channel) {
     const Step step = open_.top();
     open_.pop();
     const Node& node = nodes_[step.cell];
-    if (!subdivision_.cell(step.cell).leaf() || step.key >= node.distance) continue;
+    if (!node.live || step.key != node.queued || step.key >= node.distance) continue;
     if (step.from != kNoCell) {
-      const bool stale = !subdivision_.cell(step.from).leaf() ||
-                         nodes_[step.from].distance == kUnreached ||
-                         nodes_[step.from].distance + step_cost(step.from, step.cell) > step.key;
+      const Node& from = nodes_[step.from];
+      const bool stale = !from.live || from.distance == kUnreached ||
+                         from.distance + step_cost(step.from, step.cell) > step.key;
       if (stale) {
-        if (node.distance == kUnreached) offer(step.cell);
+        if (node.distance == kUnreached)
+          offer(step.cell);
+        else
+          nodes_[step.cell].queued = node.distance;
         continue;
       }
     }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <queue>
 #include <unordered_map>
 #include <vector>
@@ -47,8 +48,11 @@ class ChannelSearch {
 
  private:
   struct Node {
-    double distance;
-    CellId predecessor;
+    double distance = std::numeric_limits<double>::infinity();
+    double queued = std::numeric_limits<double>::infinity();  // least valid key in open_
+    double cost = 0.0;                                        // of stepping into the cell
+    CellId predecessor = kNoCell;
+    bool live = false;  // a leaf that is not FULL
   };
   struct Step {
     double key;
@@ -64,9 +68,10 @@ class ChannelSearch {
   void orphan_successors(CellId cell);
   void mend();
   bool adopt(CellId cell, double old_distance);
+  void add_nodes();
+  [[nodiscard]] Step cheapest_step(CellId cell) const;
   void offer(CellId cell);
   void settle(const Step& step);
-  void add_node(CellId cell);
 
   const Subdivision& subdivision_;
   Statistics& statistics_;
@@ -76,6 +81,7 @@ class ChannelSearch {
   std::priority_queue<Step> open_;
   std::priority_queue<Step> orphans_;  // key: distance before the loss
   std::vector<CellId> raised_;
+  bool parent_reached_ = false;
   std::unordered_map<std::uint64_t, bool> doubtful_;
 };
 
