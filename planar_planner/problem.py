@@ -79,7 +79,7 @@ class Problem:
     reference_bounds : (xmin, ymin, xmax, ymax) or None
         The reference point stays inside.
     rotation : bool
-        Whether the robot may turn. If not, start and goal have the same theta up to whole turns.
+        Whether the robot may turn. If not, start and goal have the same theta.
     start, goal : (x, y, theta)
         Configurations of the robot's frame in the world.
     """
@@ -113,8 +113,7 @@ def make_problem(scene: Scene) -> Problem:
         obstacles = clean_polygons(read_polygons(_listed(scene.obstacles, "obstacles")))
         rotation = fields.truth(scene.rotation, "rotation")
         start = fields.configuration(scene.start, "start")
-        goal = fields.configuration(scene.goal, "goal")
-        _check_same_turn(rotation, start, goal)
+        goal = _reachable_goal(rotation, start, fields.configuration(scene.goal, "goal"))
     except SceneError as error:
         raise error.in_source(scene.source) from None
     return Problem(
@@ -146,7 +145,7 @@ def with_query(problem: Problem, start: Any = None, goal: Any = None) -> Problem
     try:
         new_start = problem.start if start is None else _given(start, "start")
         new_goal = problem.goal if goal is None else _given(goal, "goal")
-        _check_same_turn(problem.rotation, new_start, new_goal)
+        new_goal = _reachable_goal(problem.rotation, new_start, new_goal)
     except SceneError as error:
         raise error.in_source(problem.source) from None
     return replace(problem, start=new_start, goal=new_goal)
@@ -155,7 +154,9 @@ def with_query(problem: Problem, start: Any = None, goal: Any = None) -> Problem
 def _given(value: Any, field: str) -> Configuration:
     """Check a configuration that a caller passed as any sequence, numpy arrays included."""
     plain = value.tolist() if hasattr(value, "tolist") else value
-    return fields.configuration(list(plain) if isinstance(plain, tuple) else plain, field)
+    if isinstance(plain, (list, tuple)):
+        plain = [item.tolist() if hasattr(item, "tolist") else item for item in plain]
+    return fields.configuration(plain, field)
 
 
 def _workspace(value: Any) -> tuple[Box | None, Polygons | None]:
@@ -200,18 +201,21 @@ def _listed(value: Any, field: str) -> Iterable[tuple[str, object]]:
     return ((f"{field}[{i}]", geometry) for i, geometry in enumerate(value))
 
 
-def _check_same_turn(rotation: bool, start: Configuration, goal: Configuration) -> None:
-    """Without rotation, start and goal must have the same theta up to whole turns.
+def _reachable_goal(rotation: bool, start: Configuration, goal: Configuration) -> Configuration:
+    """Without rotation, demand start's theta up to whole turns, and return the goal with just that.
 
     No double but 0 is a multiple of 2π, so "whole turns" is up to rounding: the double nearest to
     θ + 2πk is within half a unit in its last place, the double of 2π is off by half a unit, k times
     over; two units of the larger angle cover both ends.
     """
+    if rotation:
+        return goal
     difference = math.remainder(goal[2] - start[2], math.tau)
     largest = max(abs(start[2]), abs(goal[2]))
-    if not rotation and abs(difference) > 2 * sys.float_info.epsilon * largest:
+    if abs(difference) > 2 * sys.float_info.epsilon * largest:
         raise SceneError(
             f"theta must equal that of start ({start[2]!r}), since rotation is false",
             "goal[2]",
             repr(goal[2]),
         )
+    return goal[0], goal[1], start[2]

@@ -71,17 +71,14 @@ def _check_area(polygons: RawPolygons) -> None:
     """
     starts = polygons.ring_starts.astype(np.int64)
     counts = np.diff(starts)
-    doubtful = counts < 3
-    if not doubtful.all():
-        offsets = polygons.coords - polygons.coords[np.repeat(starts[:-1], counts)]
-        following = offsets[_successors(polygons.ring_starts)]
-        left, right = offsets[:, 0] * following[:, 1], offsets[:, 1] * following[:, 0]
-        rings = starts[:-1][counts > 0]  # reduceat needs distinct, filled segments
-        doubled = np.zeros(len(counts))
-        bound = np.zeros(len(counts))
-        doubled[counts > 0] = np.add.reduceat(left - right, rings)
-        bound[counts > 0] = np.add.reduceat(np.abs(left) + np.abs(right), rings)
-        doubtful |= np.abs(doubled) <= (counts + 8) * _UNIT_ROUNDOFF * bound
+    offsets = polygons.coords - polygons.coords[np.repeat(starts[:-1], counts)]
+    following = offsets[_successors(polygons.ring_starts)]
+    left, right = offsets[:, 0] * following[:, 1], offsets[:, 1] * following[:, 0]
+    filled = counts > 0  # a ring of equal points has no vertex left: area 0 within bound 0
+    doubled, bound = np.zeros(len(counts)), np.zeros(len(counts))
+    doubled[filled] = np.add.reduceat(left - right, starts[:-1][filled])
+    bound[filled] = np.add.reduceat(np.abs(left) + np.abs(right), starts[:-1][filled])
+    doubtful = np.abs(doubled) <= (counts + 8) * _UNIT_ROUNDOFF * bound
     for ring in np.flatnonzero(doubtful):
         _check_not_flat(
             polygons.coords[starts[ring] : starts[ring + 1]], polygons.ring_path(int(ring))

@@ -142,6 +142,8 @@ BAD_VALUES: list[tuple[tuple[Any, ...], Any, str]] = [
     (("workspace",), {}, "workspace: must be {"),
     (("workspace", "box"), [0, 0, 1], "workspace.box: must be [xmin, ymin, xmax, ymax]"),
     (("workspace", "box"), [5, 0, 1, 9], "workspace.box: xmin must be less than xmax"),
+    (("workspace", "box"), [5, 0, 5, 9], "workspace.box: xmin must be less than xmax"),
+    (("workspace", "box"), [0, 9, 1, 8], "workspace.box: ymin must be less than ymax"),
     (("workspace", "box"), [0, 9, 1, 9], "workspace.box: ymin must be less than ymax"),
     (("workspace", "box", 2), "1", "workspace.box[2]: must be a number (got '1')"),
     (("workspace",), {"box": [0, 0, 1, 1], "boxx": 1}, "workspace.boxx: unknown field"),
@@ -256,12 +258,30 @@ def test_thin_is_not_flat_and_flat_is_not_thin(scene_dict: dict[str, Any], scale
     assert "zero area" in message(scene_dict | {"obstacles": [polygon(flat)]})
 
 
+def test_flat_rings_whose_computed_area_is_not_zero(scene_dict: dict[str, Any]) -> None:
+    """On y = 3x exactly, with differences that round: only exact arithmetic can tell."""
+    random = np.random.default_rng(5)
+    rounded = 0
+    for _ in range(50):
+        x = random.integers(1, 2**50, 5) * 2.0 ** random.integers(-80, -20, 5)
+        ring = np.stack([x, 3 * x], axis=1)
+        d = ring - ring[0]
+        rounded += bool(np.any(d[1:-1, 0] * d[2:, 1] != d[1:-1, 1] * d[2:, 0]))
+        assert "zero area" in message(scene_dict | {"obstacles": [polygon(ring.tolist())]})
+    assert rounded > 25
+
+
 def test_without_rotation_theta_must_agree(scene_dict: dict[str, Any]) -> None:
     scene_dict["rotation"] = False
     for turns in (0, 1, -3, 1000):
         scene_dict["start"][2] = 0.7
         scene_dict["goal"][2] = 0.7 + turns * 2 * np.pi
-        assert problem_of(scene_dict).rotation is False
+        problem = problem_of(scene_dict)
+        assert problem.rotation is False
+        assert problem.goal == (9, 9, 0.7)
+    assert with_query(problem, start=(1, 1, 0.7 - 2 * np.pi)).goal[2] == 0.7 - 2 * np.pi
+    with pytest.raises(SceneError, match="rotation is false"):
+        with_query(problem, start=(1, 1, 0.8))
     scene_dict["goal"][2] = 0.7 + 1e-9
     assert "goal[2]: theta must equal that of start (0.7), since rotation is false" in message(
         scene_dict
@@ -271,7 +291,7 @@ def test_without_rotation_theta_must_agree(scene_dict: dict[str, Any]) -> None:
 def test_query_overrides(scene_dict: dict[str, Any]) -> None:
     problem = problem_of(scene_dict)
     assert with_query(problem) is problem
-    other = with_query(problem, start=(2, 3, 4), goal=np.array([1, 2, 3]))
+    other = with_query(problem, start=(np.int64(2), np.float32(3), 4), goal=np.array([1, 2, 3]))
     assert (other.start, other.goal) == ((2, 3, 4), (1, 2, 3))
     assert problem.start == (1, 1, 0)
     for bad in ((1, 2), [1, 2, float("nan")], "abc", 3, [[1, 2, 3]]):
