@@ -1,0 +1,1 @@
+"""Scenes shipped with the planner, and the families of scenes they are taken from."""

@@ -1,0 +1,121 @@
+"""The scenes that are shipped: which generator makes them, and what the planner must answer."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Literal
+
+from scenarios import bug_trap, comb, corner, field, gear, maze, piano, slot, small, snowflake
+from scenarios.model import Scene
+
+LICENCE = "MIT"
+OWN = "planar-planner"
+PDG_FIGURE_14 = (
+    "reconstruction of Zhang, Kim, Varadhan, Manocha 2006, Figure 14; coordinates are ours"
+)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One shipped scene."""
+
+    name: str
+    expected: Literal["path", "no_path"]
+    generator: str  # as a call, for readers; ``make`` is that call
+    make: Callable[[], Scene]
+    origin: str = OWN
+
+
+ENTRIES: tuple[Entry, ...] = (
+    Entry("gear", "path", "gear.gear()", gear.gear, PDG_FIGURE_14),
+    Entry(
+        "gear-wide",
+        "path",
+        "gear.gear(WIDE_GAP)",
+        partial(gear.gear, gear.WIDE_GAP, "gear-wide"),
+        PDG_FIGURE_14,
+    ),
+    Entry(
+        "gear-tight",
+        "path",
+        "gear.gear(TIGHT_GAP)",
+        partial(gear.gear, gear.TIGHT_GAP, "gear-tight"),
+        PDG_FIGURE_14,
+    ),
+    Entry(
+        "gear-jammed",
+        "no_path",
+        "gear.gear(JAMMED_GAP)",
+        partial(gear.gear, gear.JAMMED_GAP, "gear-jammed"),
+        PDG_FIGURE_14,
+    ),
+    Entry("maze", "path", "maze.maze()", maze.maze),
+    Entry(
+        "maze-blocked",
+        "no_path",
+        "maze.maze(blocked=True)",
+        partial(maze.maze, blocked=True, name="maze-blocked"),
+    ),
+    Entry("corner", "path", "corner.corner()", corner.corner),
+    Entry(
+        "corner-too-long",
+        "no_path",
+        "corner.corner(TOO_LONG)",
+        partial(corner.corner, corner.TOO_LONG, name="corner-too-long"),
+    ),
+    Entry("bug-trap", "path", "bug_trap.bug_trap()", bug_trap.bug_trap),
+    Entry(
+        "bug-trap-closed",
+        "no_path",
+        "bug_trap.bug_trap(CLOSED_NECK)",
+        partial(bug_trap.bug_trap, bug_trap.CLOSED_NECK, "bug-trap-closed"),
+    ),
+    Entry("slot", "path", "slot.slot()", slot.slot),
+    Entry(
+        "slot-jammed",
+        "no_path",
+        "slot.slot(JAMMED_NECK)",
+        partial(slot.slot, slot.JAMMED_NECK, "slot-jammed"),
+    ),
+    Entry("piano", "path", "piano.piano()", piano.piano),
+    Entry(
+        "piano-jammed",
+        "no_path",
+        "piano.piano(JAMMED_DOOR)",
+        partial(piano.piano, piano.JAMMED_DOOR, "piano-jammed"),
+    ),
+    Entry("snowflake", "path", "snowflake.snowflake()", snowflake.snowflake),
+    Entry(
+        "snowflake-jammed",
+        "no_path",
+        "snowflake.snowflake(JAMMED_GATE)",
+        partial(snowflake.snowflake, snowflake.JAMMED_GATE, "snowflake-jammed"),
+    ),
+    Entry("comb", "path", "comb.comb()", comb.comb),
+    Entry(
+        "comb-jammed",
+        "no_path",
+        "comb.comb(post=True)",
+        partial(comb.comb, post=True, name="comb-jammed"),
+    ),
+    Entry("field", "path", "field.field()", field.field),
+    Entry("open", "path", "small.open_floor()", small.open_floor),
+    Entry("window", "path", "small.window()", small.window),
+    Entry(
+        "window-fixed",
+        "no_path",
+        "small.window(rotation=False)",
+        partial(small.window, rotation=False, name="window-fixed"),
+    ),
+    Entry("slide", "path", "small.slide()", small.slide),
+    Entry(
+        "slide-blocked",
+        "no_path",
+        "small.slide(blocked=True)",
+        partial(small.slide, blocked=True, name="slide-blocked"),
+    ),
+    Entry("courtyard", "path", "small.courtyard()", small.courtyard),
+    Entry("fence", "path", "small.fence()", small.fence),
+    Entry("disc", "path", "small.disc()", small.disc),
+    Entry("disc-jammed", "no_path", "small.disc(0.8)", partial(small.disc, 0.8, "disc-jammed")),
+)
