@@ -29,7 +29,9 @@ def test_import_is_light() -> None:
         "from planar_planner import load_scene\n"
         "sys.exit(len({'numpy', 'shapely', 'matplotlib', 'scipy'} & set(sys.modules)))"
     )
-    assert subprocess.run([sys.executable, "-P", "-c", code], timeout=60, check=False).returncode == 0
+    assert (
+        subprocess.run([sys.executable, "-P", "-c", code], timeout=60, check=False).returncode == 0
+    )
 
 
 @pytest.mark.parametrize("verdict", ["path", "no_path", "undecided"])
