@@ -26,8 +26,8 @@ QUICK: dict[str, float] = {  # a few seconds each at most: proved in every run o
     "piano": 0.035,
     "piano-jammed": 0.05,
     "snowflake": 0.03,
-    "snowflake-jammed": 0.035,
-    "maze-blocked": 0.14,
+    "snowflake-jammed": 0.03,
+    "maze-blocked": 0.12,
 }
 SLOW: dict[str, float] = {  # ten seconds to several minutes each
     "disc": 0.05,
