@@ -27,7 +27,7 @@ QUICK: dict[str, float] = {  # a few seconds each at most: proved in every run o
     "piano-jammed": 0.05,
     "snowflake": 0.03,
     "snowflake-jammed": 0.03,
-    "maze-blocked": 0.12,
+    "maze-blocked": 0.1,
 }
 SLOW: dict[str, float] = {  # ten seconds to several minutes each
     "disc": 0.05,
