@@ -62,7 +62,7 @@ double depth_over(const ConvexPiece& a, const ConvexPiece& b, const Stretch& str
     vertices.push_back(rotate(stretch.rotation, edge.vertex));
     normals.push_back(rotate(stretch.rotation, edge.normal));
   }
-  const PosedPiece posed{&a, vertices, normals};
+  const PosedPiece posed{&a, vertices, normals, rotate(stretch.rotation, a.inner_centre)};
   const double error = separation_error(a, b, stretch.motion);
   std::vector<Constraint> constraints;
   all_constraints(a, b, constraints);

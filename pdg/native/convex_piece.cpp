@@ -45,6 +45,14 @@ ConvexPiece make_piece(const ConvexPolygon& polygon, const Frame& frame) {
     high = {std::max(high.x, edge.vertex.x), std::max(high.y, edge.vertex.y)};
     piece.reach = std::max(piece.reach, norm(edge.vertex) * kRadiusPadding);
   }
+  for (const Edge& edge : piece.edges) piece.inner_centre = piece.inner_centre + edge.vertex;
+  piece.inner_centre = (1.0 / static_cast<double>(n)) * piece.inner_centre;
+  piece.inner_radius = std::numeric_limits<double>::infinity();
+  for (const Edge& edge : piece.edges)
+    piece.inner_radius =
+        std::min(piece.inner_radius, edge.offset - dot(edge.normal, piece.inner_centre));
+  piece.inner_radius =
+      std::max(0.0, piece.inner_radius - kSeparationErrorUnits * kUnitRoundoff * piece.reach);
   piece.centre = {0.5 * low.x + 0.5 * high.x, 0.5 * low.y + 0.5 * high.y};
   for (const Edge& edge : piece.edges)
     piece.radius = std::max(piece.radius, norm(edge.vertex - piece.centre));

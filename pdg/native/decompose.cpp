@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "cover.hpp"
@@ -86,25 +87,95 @@ void merge(PartRings& r, const Index h) {
   for (const Index e : {h, t}) r.next[at(e)] = kNone;
 }
 
-// Hertel-Mehlhorn, longest diagonals first: short cuts (the base of a tooth) stay, wide-open
-// regions become one part. The lengths only set the order; every decision is exact.
-void merge_parts(PartRings& rings, const std::vector<Vec2>& points) {
-  std::vector<std::pair<double, Index>> diagonals;
+// Orders of merging that are tried; the first that reaches the lower bound of parts ends it.
+constexpr std::uint64_t kMergeOrders = 6;
+
+// A fixed factor in [0.5, 1) for the diagonal of two points, different in every order but the
+// first, where it is 1 (a SplitMix64 step).
+double order_factor(const std::uint64_t order, const Index a, const Index b) {
+  if (order == 0) return 1.0;
+  std::uint64_t z =
+      (order << 58U) ^ (static_cast<std::uint64_t>(a) << 29U) ^ static_cast<std::uint64_t>(b);
+  z = (z + 0x9e3779b97f4a7c15U) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+  return 0.5 + static_cast<double>(z >> 11U) * 0x1p-54;
+}
+
+struct Diagonal {
+  double length;  // weighted by order_factor
+  Index a, b;     // its points, a < b
+  Index half_edge;
+};
+
+std::vector<Diagonal> diagonals_of(const PartRings& rings) {
+  std::vector<Diagonal> diagonals;
   for (Index h = 0; h < static_cast<Index>(rings.origin.size()); ++h) {
     if (rings.twin[at(h)] <= h) continue;
-    const Vec2 a = points[at(rings.origin[at(h)])];
-    const Vec2 b = points[at(rings.origin[at(rings.twin[at(h)])])];
-    diagonals.emplace_back(-norm(b - a), h);
+    const Index u = rings.origin[at(h)];
+    const Index v = rings.origin[at(rings.twin[at(h)])];
+    diagonals.push_back({0.0, std::min(u, v), std::max(u, v), h});
   }
-  std::sort(diagonals.begin(), diagonals.end());
-  for (const auto& [length, h] : diagonals) {
-    if (can_merge(rings, points, h)) merge(rings, h);
+  return diagonals;
+}
+
+// Hertel-Mehlhorn, longest diagonals first: short cuts (the base of a tooth) stay, wide-open
+// regions become one part. The lengths only set the order; every decision is exact. Returns how
+// many diagonals went.
+std::size_t merge_parts(PartRings& rings, const std::vector<Vec2>& points,
+                        std::vector<Diagonal> diagonals, const std::uint64_t order) {
+  for (Diagonal& d : diagonals) {
+    d.length = norm(points[at(d.b)] - points[at(d.a)]) * order_factor(order, d.a, d.b);
   }
+  std::sort(diagonals.begin(), diagonals.end(), [](const Diagonal& d, const Diagonal& e) {
+    return std::tie(e.length, d.a, d.b) < std::tie(d.length, e.a, e.b);
+  });
+  std::size_t merged = 0;
+  for (const Diagonal& d : diagonals) {
+    if (!can_merge(rings, points, d.half_edge)) continue;
+    merge(rings, d.half_edge);
+    ++merged;
+  }
+  return merged;
+}
+
+// Corners of the boundary where the interior angle exceeds pi; each needs a diagonal.
+std::size_t reflex_count(const PartRings& rings, const std::vector<Vec2>& points) {
+  std::size_t count = 0;
+  for (Index h = 0; h < static_cast<Index>(rings.origin.size()); ++h) {
+    if (rings.twin[at(h)] != kNone) continue;
+    // From the boundary edge h -> v rotate about v to the boundary edge that leaves v.
+    Index out = rings.next[at(h)];
+    while (rings.twin[at(out)] != kNone) out = rings.next[at(rings.twin[at(out)])];
+    const Vec2 p = points[at(rings.origin[at(h)])];
+    const Vec2 u = points[at(rings.origin[at(out)])];
+    const Vec2 q = points[at(rings.origin[at(rings.next[at(out)])])];
+    if (!turns_left_or_straight(p, u, q)) ++count;
+  }
+  return count;
+}
+
+// The best of several orders. One diagonal resolves at most two reflex vertices, so at least half
+// their number must stay.
+PartRings merged_parts(const Triangulation& triangulation) {
+  const PartRings triangles = rings_of_triangles(triangulation);
+  const std::vector<Diagonal> diagonals = diagonals_of(triangles);
+  const std::size_t must_stay = (reflex_count(triangles, triangulation.points) + 1) / 2;
+  PartRings best;
+  std::size_t most = 0;
+  for (std::uint64_t order = 0; order < kMergeOrders; ++order) {
+    PartRings rings = triangles;
+    const std::size_t merged = merge_parts(rings, triangulation.points, diagonals, order);
+    if (order == 0 || merged > most) {
+      most = merged;
+      best = std::move(rings);
+    }
+    if (most + must_stay >= diagonals.size()) break;
+  }
+  return best;
 }
 
 std::vector<Part> partition(const Triangulation& triangulation) {
-  PartRings rings = rings_of_triangles(triangulation);
-  merge_parts(rings, triangulation.points);
+  const PartRings rings = merged_parts(triangulation);
   std::vector<Part> parts;
   std::vector<std::uint8_t> seen(rings.origin.size(), 0);
   for (Index start = 0; start < static_cast<Index>(rings.origin.size()); ++start) {

@@ -40,6 +40,7 @@ struct PosedPiece {
   const ConvexPiece* piece;
   std::span<const Vec2> vertices;  // R(theta_c) a
   std::span<const Vec2> normals;   // R(theta_c) m
+  Vec2 inner_centre;               // R(theta_c) c of the inner circle
 };
 
 enum class PairLabel : std::uint8_t {

@@ -11,13 +11,16 @@
 namespace planner {
 
 // robot == kNode: `obstacle` is a node of the obstacle tree and `count` is 0. Otherwise `obstacle`
-// and `robot` are pieces and `count` constraints belong to the pair.
+// and `robot` are pieces and `count` constraints belong to the pair; count 0: the pair is closed, no
+// separating-axis function of it has been looked at yet.
 struct PairHeader {
   std::uint32_t obstacle;
   std::uint16_t robot;
   std::uint16_t count;
 };
 inline constexpr std::uint16_t kNode = UINT16_MAX;
+
+inline bool closed(const PairHeader& header) { return header.count == 0; }
 
 struct ConstraintList {
   std::vector<PairHeader> pairs;

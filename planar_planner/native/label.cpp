@@ -2,12 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "pdg/native/tolerances.hpp"
 
 namespace planner {
 
 using pdg::Motion;
+
+namespace {
+
+// Puts one pair first: the children meet the likeliest witness of FULL at once.
+void bring_forward(ConstraintList& list, const std::size_t pair, const std::size_t constraint) {
+  const auto begin = list.constraints.begin();
+  const auto from = begin + static_cast<std::ptrdiff_t>(constraint);
+  std::rotate(begin, from, from + list.pairs[pair].count);
+  const auto header = list.pairs.begin() + static_cast<std::ptrdiff_t>(pair);
+  std::rotate(list.pairs.begin(), header, header + 1);
+}
+
+}  // namespace
 
 // State of one labelling; false from a visitor means FULL: stop.
 struct Labeller::Pass {
@@ -16,6 +30,9 @@ struct Labeller::Pass {
   ConstraintList& out;
   Vec2 extent;  // half-extents of the translations along x and y
   LabelResult result;
+  double least = INFINITY;      // separation of the deepest open pair in `out`
+  std::size_t deepest = 0;      // its place among the pairs
+  std::size_t deepest_at = 0;   // and of its first constraint
 };
 
 namespace {
@@ -33,14 +50,17 @@ double distance_to_box(const Motion& m, const Vec2 extent, const Vec2 low, const
 }
 
 // Lower bound of the distance between bounding circles over the motion.
-double circle_gap(const Motion& m, const Vec2 extent, const pdg::Rotation rotation,
-                  const pdg::ConvexPiece& a, const pdg::ConvexPiece& b) {
-  const Vec2 d = m.t + pdg::rotate(rotation, a.centre) - b.centre;
-  const double dx = std::max(std::abs(d.x) - extent.x, 0.0);
-  const double dy = std::max(std::abs(d.y) - extent.y, 0.0);
+double circle_gap(const Motion& m, const Vec2 extent, const Vec2 between, const pdg::ConvexPiece& a,
+                  const pdg::ConvexPiece& b) {
+  const double dx = std::max(std::abs(between.x) - extent.x, 0.0);
+  const double dy = std::max(std::abs(between.y) - extent.y, 0.0);
   // |R(theta + delta) c - R(theta) c| = 2 |c| sin(|delta| / 2) <= |c| |delta|
   return pdg::norm({dx, dy}) - pdg::norm(a.centre) * m.half_angle - a.radius - b.radius;
 }
+
+// A pair stays closed while the motion is larger than its circles: such a cell is neither FULL nor
+// worth the pair's functions yet. Smaller opens later: less work a cell, weaker labels.
+const double kOpeningFactor = std::getenv("T_OPEN") ? std::atof(std::getenv("T_OPEN")) : 0.5;
 
 }  // namespace
 
@@ -70,14 +90,19 @@ LabelResult Labeller::label(const Motion& motion, const pdg::PosedRobot& posed,
   pass.result.separation = INFINITY;
   std::size_t at = 0;
   for (const PairHeader& header : parent.pairs) {
-    const bool go_on =
-        header.robot == kNode
-            ? visit_node(pass, header.obstacle)
-            : judge(pass, header.obstacle, header.robot, parent.constraints.subspan(at, header.count));
+    bool go_on = true;
+    if (header.robot == kNode)
+      go_on = visit_node(pass, header.obstacle);
+    else if (closed(header))
+      go_on = visit_closed_pair(pass, header.obstacle, header.robot);
+    else
+      go_on = judge(pass, header.obstacle, header.robot,
+                    parent.constraints.subspan(at, header.count));
     at += header.count;
     if (!go_on) return pass.result;
   }
   pass.result.label = out.pairs.empty() ? Label::kFree : Label::kMixed;
+  if (pass.deepest != 0) bring_forward(out, pass.deepest, pass.deepest_at);
   return pass.result;
 }
 
@@ -108,21 +133,37 @@ bool Labeller::visit_node(Pass& pass, const std::uint32_t index) {
 }
 
 bool Labeller::visit_piece(Pass& pass, const std::uint32_t piece) {
-  const pdg::ConvexPiece& b = tree_.piece(piece);
   for (std::size_t i = 0; i < robot_.body_pieces(); ++i) {
-    const pdg::ConvexPiece& a = robot_.pieces[i];
     ++statistics_.pairs_touched;
-    const double gap = circle_gap(pass.motion, pass.extent, pass.posed.rotation, a, b) -
-                       pdg::separation_error(a, b, pass.motion);
-    if (gap >= 0.0) {
-      pass.result.clearance = std::min(pass.result.clearance, gap);
-      continue;
-    }
-    fresh_.clear();
-    pdg::all_constraints(a, b, fresh_);
-    if (!judge(pass, piece, static_cast<std::uint16_t>(i), fresh_)) return false;
+    if (!visit_closed_pair(pass, piece, static_cast<std::uint16_t>(i))) return false;
   }
   return true;
+}
+
+bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
+                                 const std::uint16_t robot) {
+  const pdg::ConvexPiece& a = robot_.pieces[robot];
+  const pdg::ConvexPiece& b = tree_.piece(obstacle);
+  const Vec2 between = pass.motion.t + pdg::rotate(pass.posed.rotation, a.centre) - b.centre;
+  const double gap = circle_gap(pass.motion, pass.extent, between, a, b) -
+                     pdg::separation_error(a, b, pass.motion);
+  LabelResult& result = pass.result;
+  if (gap >= 0.0) {
+    result.clearance = std::min(result.clearance, gap);
+    return true;
+  }
+  const double motion_radius = pdg::norm(pass.extent) + a.reach * pass.motion.half_angle;
+  if (motion_radius > kOpeningFactor * (a.radius + b.radius)) {
+    pass.out.pairs.push_back({obstacle, robot, 0});
+    const double inner = a.inner_radius + b.inner_radius;
+    result.separation = std::min(
+        result.separation, pdg::norm(between) - 0.5 * (a.radius + b.radius + inner));
+    result.turning_radius = std::max(result.turning_radius, a.reach);
+    return true;
+  }
+  fresh_.clear();
+  pdg::all_constraints(a, b, fresh_);
+  return judge(pass, obstacle, robot, fresh_);
 }
 
 bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16_t robot,
@@ -145,6 +186,11 @@ bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16
   }
   pass.out.pairs.push_back(
       {obstacle, robot, static_cast<std::uint16_t>(pass.out.constraints.size() - before)});
+  if (verdict.centre < pass.least) {
+    pass.least = verdict.centre;
+    pass.deepest = pass.out.pairs.size() - 1;
+    pass.deepest_at = before;
+  }
   result.separation = std::min(result.separation, verdict.centre);
   result.turning_radius = std::max(result.turning_radius, robot_.pieces[robot].reach);
   return true;

@@ -35,7 +35,8 @@ inline pdg::PosedPiece posed_piece(const Robot& robot, const pdg::PosedRobot& po
   const std::size_t count = robot.first_vertex[piece + 1] - first;
   return {&robot.pieces[piece],
           {posed.vertices.data() + first, count},
-          {posed.normals.data() + first, count}};
+          {posed.normals.data() + first, count},
+          pdg::rotate(posed.rotation, robot.pieces[piece].inner_centre)};
 }
 
 }  // namespace planner

@@ -67,9 +67,8 @@ bool SegmentTest::certify_interval(const Pose& from, const Pose& to, const Inter
     if (result.label == Label::kFree) return true;
     if (result.label == Label::kFull) return false;
     list = view(lists_[depth]);
-    const bool closed_nodes = std::any_of(list.pairs.begin(), list.pairs.end(),
-                                          [](const PairHeader& h) { return h.robot == kNode; });
-    if (!closed_nodes && !planner::is_free(labeller_.robot(), labeller_.tree(), posed, motion.t,
+    const bool all_open = std::none_of(list.pairs.begin(), list.pairs.end(), closed);
+    if (all_open && !planner::is_free(labeller_.robot(), labeller_.tree(), posed, motion.t,
                                            motion.reach, list))
       return false;
   }

@@ -63,7 +63,7 @@ bool is_free(const Robot& robot, const ObstacleTree& tree, const PosedRobot& pos
   here.reach = reach;
   std::size_t at = 0;
   for (const PairHeader& header : list.pairs) {
-    if (header.robot == kNode) return false;
+    if (closed(header)) return false;
     const PosedPiece a = posed_piece(robot, posed, header.robot);
     const ConvexPiece& b = tree.piece(header.obstacle);
     const double error = pdg::separation_error(*a.piece, b, here);
@@ -97,7 +97,7 @@ void StarTest::start_polygon(const Motion& m) {
 bool StarTest::collect(const Motion& motion, const PosedRobot& posed, const ConstraintView& list) {
   std::size_t at = 0;
   for (const PairHeader& header : list.pairs) {
-    if (header.robot == kNode) return false;
+    if (closed(header)) return false;
     const PosedPiece a = posed_piece(robot_, posed, header.robot);
     const ConvexPiece& b = tree_.piece(header.obstacle);
     const double error = pdg::separation_error(*a.piece, b, motion);
