@@ -30,11 +30,14 @@ class Progress:
             self._write(_ERASE_LINE)
 
     def __call__(self, counts: Mapping[str, Any]) -> bool:
-        """Show the counts; always continue the search."""
-        if self._stream is not None and counts["elapsed"] >= DELAY:
-            columns = shutil.get_terminal_size().columns
-            self._write(_ERASE_LINE + progress_line(counts)[: columns - 1])
-            self._shown = True
+        """Show the counts and continue the search, unless Ctrl-C arrives in here."""
+        try:
+            if self._stream is not None and counts["elapsed"] >= DELAY:
+                columns = shutil.get_terminal_size().columns
+                self._shown = True
+                self._write(_ERASE_LINE + progress_line(counts)[: columns - 1])
+        except KeyboardInterrupt:
+            return False
         return True
 
     def _write(self, text: str) -> None:

@@ -39,8 +39,9 @@ def statistics(result: Result) -> str:
 def _path_line(result: Result, stats: Mapping[str, Any]) -> str:
     if result.verdict != "path":
         return ""
+    turning = f", turning {stats['path_turning']:.4g} rad" if "path_turning" in stats else ""
     return (
-        f"path: length {stats.get('path_length', 0.0):.6g}, {len(result.path)} waypoints, "
+        f"path: length {stats.get('path_length', 0.0):.6g}{turning}, {len(result.path)} waypoints, "
         f"least clearance {stats.get('least_clearance', 0.0):.3g}"
     )
 

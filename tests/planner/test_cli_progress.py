@@ -55,6 +55,14 @@ def test_silent_when_piped_quiet_or_closed(stream: Any, quiet: bool) -> None:
     assert stream is None or stream.getvalue() == ""
 
 
+def test_interrupt_inside_the_listener_stops_the_search() -> None:
+    class Interrupted(Terminal):
+        def write(self, text: str) -> int:
+            raise KeyboardInterrupt
+
+    assert Progress(Interrupted())(COUNTS) is False
+
+
 def test_lost_terminal_does_not_end_the_search() -> None:
     class Lost(Terminal):
         def write(self, text: str) -> int:
