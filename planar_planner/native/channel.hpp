@@ -1,19 +1,15 @@
-// The cheapest channel of solid and MIXED cells from start to goal, kept up to date while cells are
-// split (design: "Search: refine only what a channel needs").
+// The cheapest channel of solid and MIXED cells from start to goal (design: "Search: refine only
+// what a channel needs"), kept up to date while cells are split.
 //
-// A shortest-path tree is mended, not rebuilt: a leaf that loses its predecessor looks for another
-// one that is no farther, and only if there is none does its branch get new distances. Distances
-// may be off by the factor 1 +- kSlack per step, which saves most of the mending; reachability is
-// exact: if the graph holds a channel, one is found, and if none is found there is none.
+// Two trees grow towards each other, from start and from goal, each about half the channel's cost
+// deep. A bottleneck lies where they meet, so refining it disturbs little of either.
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <queue>
-#include <unordered_map>
 #include <vector>
 
-#include "face.hpp"
+#include "distance_tree.hpp"
 #include "statistics.hpp"
 #include "subdivision.hpp"
 
@@ -22,7 +18,11 @@ namespace planner {
 class ChannelSearch {
  public:
   ChannelSearch(const Subdivision& subdivision, Statistics& statistics)
-      : subdivision_(subdivision), statistics_(statistics) {}
+      : subdivision_(subdivision),
+        from_start_(subdivision, doubtful_, statistics),
+        from_goal_(subdivision, doubtful_, statistics) {}
+  ChannelSearch(const ChannelSearch&) = delete;  // the trees refer to doubtful_
+  ChannelSearch& operator=(const ChannelSearch&) = delete;
 
   // Starts anew between two leaves.
   void reset(CellId start, CellId goal);
@@ -42,47 +42,30 @@ class ChannelSearch {
   // Does the channel use an exhausted cell or a doubtful link? Then so does every other channel.
   [[nodiscard]] bool passes_barrier(const std::vector<CellId>& channel) const;
 
-  [[nodiscard]] CellId start() const { return start_; }
-  [[nodiscard]] CellId goal() const { return goal_; }
+  [[nodiscard]] CellId start() const { return from_start_.root(); }
+  [[nodiscard]] CellId goal() const { return from_goal_.root(); }
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  struct Node {
-    double distance = std::numeric_limits<double>::infinity();
-    double queued = std::numeric_limits<double>::infinity();  // least valid key in open_
-    double cost = 0.0;                                        // of stepping into the cell
-    CellId predecessor = kNoCell;
-    bool live = false;  // a leaf that is not FULL
-  };
-  struct Step {
-    double key;
+  // A leaf that both trees have reached, and the cost of the channel through it.
+  struct Meeting {
+    double cost;
     CellId cell;
-    CellId from;
-    bool operator<(const Step& other) const {  // std::priority_queue: cheapest first
-      return key > other.key || (key == other.key && cell > other.cell);
+    bool operator<(const Meeting& other) const {
+      return cost > other.cost || (cost == other.cost && cell > other.cell);
     }
   };
 
-  [[nodiscard]] double step_cost(CellId from, CellId to) const;
-  void orphan(CellId cell);
-  void orphan_successors(CellId cell);
-  void mend();
-  bool adopt(CellId cell, double old_distance);
-  void add_nodes();
-  [[nodiscard]] Step cheapest_step(CellId cell) const;
-  void offer(CellId cell);
-  void settle(const Step& step);
+  [[nodiscard]] double cost_through(CellId cell) const;
+  void note_meetings();
+  // Cheapest meeting that still holds; its cost is kUnreached if there is none.
+  Meeting best_meeting();
 
   const Subdivision& subdivision_;
-  Statistics& statistics_;
-  CellId start_ = kNoCell;
-  CellId goal_ = kNoCell;
-  std::vector<Node> nodes_;
-  std::priority_queue<Step> open_;
-  std::priority_queue<Step> orphans_;  // key: distance before the loss
-  std::vector<CellId> raised_;
-  bool parent_reached_ = false;
-  std::unordered_map<std::uint64_t, bool> doubtful_;
+  DoubtfulLinks doubtful_;
+  DistanceTree from_start_;
+  DistanceTree from_goal_;
+  std::priority_queue<Meeting> meetings_;
 };
 
 }  // namespace planner

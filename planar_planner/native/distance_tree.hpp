@@ -1,0 +1,100 @@
+// A shortest-path tree over the leaves that are not FULL, from one root, mended while cells are
+// split instead of being built anew.
+//
+// A leaf that loses its predecessor looks for another one that is no farther, and only if there is
+// none does its branch get new distances. Distances may be off by the factors 1 - kSlackDown and
+// 1 + kSlackUp a step, which saves most of the mending; what is reachable is exact. The tree is
+// grown only as far as its caller asks.
+//
+// Invariant: every reached leaf but the root has a live, reached predecessor among its neighbours
+// that is strictly nearer, so that predecessors lead to the root.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <unordered_set>
+#include <vector>
+
+#include "statistics.hpp"
+#include "subdivision.hpp"
+
+namespace planner {
+
+inline constexpr double kUnreached = std::numeric_limits<double>::infinity();
+
+// Links that could not be decided; passing one costs more than any channel without.
+using DoubtfulLinks = std::unordered_set<std::uint64_t>;
+std::uint64_t link_key(CellId a, CellId b);
+
+class DistanceTree {
+ public:
+  DistanceTree(const Subdivision& subdivision, const DoubtfulLinks& doubtful,
+               Statistics& statistics)
+      : subdivision_(subdivision), doubtful_(doubtful), statistics_(statistics) {}
+
+  void reset(CellId root);
+
+  // A leaf is about to be split, and has been; `root` is the root's leaf afterwards.
+  void before_split(CellId cell);
+  void after_split(CellId cell, CellId root);
+  // Other changes of the graph, told after they happened.
+  void on_exhausted(CellId cell);
+  void on_link_lost(CellId a, CellId b);
+
+  // Re-attaches what lost its predecessor and reaches the root. Call before growing.
+  void mend();
+  // Distance of the next leaf to be settled, or kUnreached. Drops stale entries.
+  double next_key();
+  void settle_next();
+
+  [[nodiscard]] bool reached(CellId cell) const { return nodes_[cell].distance < kUnreached; }
+  [[nodiscard]] double distance(CellId cell) const { return nodes_[cell].distance; }
+  [[nodiscard]] double cost(CellId cell) const { return nodes_[cell].cost; }
+  [[nodiscard]] CellId predecessor(CellId cell) const { return nodes_[cell].predecessor; }
+  [[nodiscard]] CellId root() const { return root_; }
+  [[nodiscard]] std::size_t bytes() const;
+
+  // Leaves whose distance was set or lowered since the caller last cleared the list.
+  std::vector<CellId>& changed() { return changed_; }
+
+ private:
+  struct Node {
+    double distance = kUnreached;  // including the cell's own cost
+    double queued = kUnreached;    // least valid key in open_
+    double cost = 0.0;             // of stepping into the cell
+    CellId predecessor = kNoCell;
+    bool live = false;  // a leaf that is not FULL
+  };
+  struct Step {
+    double key;
+    CellId cell;
+    CellId from;
+    bool operator<(const Step& other) const {  // std::priority_queue: cheapest first
+      return key > other.key || (key == other.key && cell > other.cell);
+    }
+  };
+
+  void add_nodes();
+  [[nodiscard]] double step_cost(CellId from, CellId to) const;
+  void orphan(CellId cell);
+  void orphan_successors(CellId cell);
+  bool adopt(CellId cell, double old_distance);
+  [[nodiscard]] Step cheapest_step(CellId cell) const;
+  void offer(CellId cell);
+  void settle(const Step& step);
+  void place(CellId cell, double distance, CellId predecessor);
+
+  const Subdivision& subdivision_;
+  const DoubtfulLinks& doubtful_;
+  Statistics& statistics_;
+  CellId root_ = kNoCell;
+  std::vector<Node> nodes_;
+  std::priority_queue<Step> open_;
+  std::priority_queue<Step> orphans_;  // key: distance before the loss
+  std::vector<CellId> raised_;
+  std::vector<CellId> changed_;
+  bool parent_reached_ = false;
+};
+
+}  // namespace planner
