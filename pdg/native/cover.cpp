@@ -136,8 +136,9 @@ std::vector<Part> grow_to_cover(const std::vector<Vec2>& points, const std::vect
   }
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](const std::size_t a, const std::size_t b) { return areas[a] > areas[b]; });
+  std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) {
+    return areas[a] != areas[b] ? areas[a] > areas[b] : a < b;
+  });
   std::vector<Part> cover;
   std::vector<std::uint8_t> covered(parts.size(), 0);
   for (const std::size_t g : order) {

@@ -149,6 +149,7 @@ TranslationalDepth translational_depth(const ConvexPolygon& a, const ConvexPolyg
     result.direction = overlap_depth(a, b).direction;
   }
   if (state == PairState::kTouching) result.depth = 0.0;
+  result.direction = result.direction + Vec2{};  // no -0
   return result;
 }
 

@@ -144,7 +144,7 @@ void insert_constraint(PointMesh& mesh, Index u, const Index v) {
     for (const Index e : {h, mesh.opposite(h)}) {
       if (e == kNone) continue;
       mesh.fixed[at(e)] = 1;
-      mesh.odd[at(e)] ^= 1;
+      mesh.odd[at(e)] = mesh.odd[at(e)] == 0 ? 1 : 0;
     }
     u = stretch.end;
   }
@@ -154,20 +154,20 @@ void insert_constraint(PointMesh& mesh, Index u, const Index v) {
 std::vector<std::int8_t> inside_flags(const PointMesh& mesh) {
   std::vector<std::int8_t> inside(at(mesh.triangle_count()), -1);
   std::vector<Index> stack;
-  const auto visit = [&](const Index triangle, const int flag) {
+  const auto visit = [&](const Index triangle, const bool flag) {
     if (inside[at(triangle)] != -1) return;
-    inside[at(triangle)] = static_cast<std::int8_t>(flag);
+    inside[at(triangle)] = flag ? 1 : 0;
     stack.push_back(triangle);
   };
   for (Index h = 0; h < 3 * mesh.triangle_count(); ++h) {
-    if (mesh.opposite(h) == kNone) visit(h / 3, mesh.odd[at(h)]);
+    if (mesh.opposite(h) == kNone) visit(h / 3, mesh.odd[at(h)] != 0);
   }
   while (!stack.empty()) {
     const Index triangle = stack.back();
     stack.pop_back();
     for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h) {
       if (mesh.opposite(h) == kNone) continue;
-      visit(mesh.opposite(h) / 3, inside[at(triangle)] ^ mesh.odd[at(h)]);
+      visit(mesh.opposite(h) / 3, (inside[at(triangle)] == 1) != (mesh.odd[at(h)] == 1));
     }
   }
   return inside;

@@ -173,6 +173,13 @@ TEST(Decompose, GearIsOneCoreAndItsTeeth) {
   }
 }
 
+// Three equal diagonals meet in the reflex corner; only one of them is needed.
+TEST(Decompose, FatLIsTwoPieces) {
+  const Ring ring = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  EXPECT_EQ(pdg::convex_partition({{ring}}).size(), 2U);
+  EXPECT_EQ(pdg::convex_pieces({{ring}}).size(), 2U);
+}
+
 TEST(Decompose, IsDeterministicAndIndependentOfOrientationAndStart) {
   const Ring ring = gear(11);
   Ring other(ring.rbegin(), ring.rend());

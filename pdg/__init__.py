@@ -1,0 +1,32 @@
+"""Penetration depths of planar bodies that translate and rotate.
+
+Convex pieces, translational depth, lower bounds of the generalized depth, motion bounds and the
+C-obstacle query. Knows nothing of planning.
+"""
+
+from pdg.depth import (
+    DepthLowerBound,
+    TranslationalDepth,
+    generalized_depth_lower_bound,
+    translational_depth,
+)
+from pdg.errors import PdgError
+from pdg.motion import MotionBounds, displacement, generalized_distance_bounds, motion_bounds
+from pdg.pieces import ConvexPieces, convex_pieces
+from pdg.query import CObstacleVerdict, c_obstacle_query
+
+__all__ = [
+    "CObstacleVerdict",
+    "ConvexPieces",
+    "DepthLowerBound",
+    "MotionBounds",
+    "PdgError",
+    "TranslationalDepth",
+    "c_obstacle_query",
+    "convex_pieces",
+    "displacement",
+    "generalized_depth_lower_bound",
+    "generalized_distance_bounds",
+    "motion_bounds",
+    "translational_depth",
+]
