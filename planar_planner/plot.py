@@ -17,6 +17,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import PathCollection
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
@@ -38,6 +39,7 @@ TRACE = "#000000"
 
 LONG_SIDE = 8.0  # inches, of the drawing itself
 SHORTEST_SIDE = 3.2  # inches; a narrower drawing has no room for its title
+PADDING = 0.12  # inches, round drawing, title and legend
 DPI = 150
 MARGIN = 0.03  # of the greater side, round everything
 GHOST_STEP = 0.6  # between ghosts, in robot radii of motion (translation plus radius times turn)
@@ -85,7 +87,8 @@ def draw_scene(
     path = result.path if result is not None and len(result.path) else np.empty((0, 3))
 
     view = _view(problem, path)
-    figure = Figure(figsize=_figure_size(view), layout="constrained")
+    layout = ConstrainedLayoutEngine(w_pad=PADDING, h_pad=PADDING)
+    figure = Figure(figsize=_figure_size(view), layout=layout)
     FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     keys = _draw_world(axes, problem)

@@ -1,0 +1,32 @@
+"""Solve every shipped scene and draw it: ``python docs/draw_gallery.py [name ...]``.
+
+Needs the installed package. Rewrites ``docs/pictures/``; stops at a verdict that is not expected.
+"""
+
+import sys
+from pathlib import Path
+
+from planar_planner import load_scene, solve
+from planar_planner.builtin import manifest
+from planar_planner.plot import draw_scene
+
+PICTURES = Path(__file__).parent / "pictures"
+DPI = 90  # enough for a screen, small files
+
+
+def main() -> None:
+    """Draw the named scenes, or all."""
+    PICTURES.mkdir(exist_ok=True)
+    for name in sys.argv[1:] or list(manifest()):
+        scene = load_scene(name)
+        result = solve(scene)
+        expected = manifest()[name]["expected"]
+        if result.verdict != expected:
+            raise SystemExit(f"{name}: {result.verdict}, expected {expected}")
+        figure = draw_scene(scene, result)
+        # No creation date: the same picture is the same file.
+        figure.savefig(PICTURES / f"{name}.png", dpi=DPI, metadata={"Software": None})
+
+
+if __name__ == "__main__":
+    main()
