@@ -24,16 +24,17 @@ double fixed_extent(const Motion& m, const Vec2 n) {
   return std::abs(dot(n, m.g1)) + std::abs(dot(n, m.g2));
 }
 
-double turning_extent_of(const Motion& m, const Vec2 n, const Vec2 g, const double length) {
+double turning_extent_of(const Motion& m, const Vec2 n, const Vec2 g) {
   const double v = std::abs(dot(n, g));
   const double w = std::abs(cross(n, g));
-  if (w * m.cos_half <= v * m.sin_half) return length;
+  if (w * m.cos_half <= v * m.sin_half) return norm(g);
   return v * m.cos_half + w * m.sin_half;
 }
 
 // The same along a direction that turns with the robot.
 double turning_extent(const Motion& m, const Vec2 n) {
-  return turning_extent_of(m, n, m.g1, m.g1_length) + turning_extent_of(m, n, m.g2, m.g2_length);
+  // The rectangle's extent along any direction is that of one of its diagonals.
+  return std::max(turning_extent_of(m, n, m.g1 + m.g2), turning_extent_of(m, n, m.g1 - m.g2));
 }
 
 // Trims the cyclic vertex range to those that can be minimal somewhere: lo_i <= min_j hi_j.
@@ -89,7 +90,12 @@ Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& 
       const double radius = norm(p);
       if (v > 0.0) {
         hi = radius;
-        peak = std::max(peak, radius);
+        // The peak belongs to the envelope only if this vertex is the minimiser there, which on a
+        // convex ring its neighbours decide.
+        const Vec2 after = point(k + 1 == ring ? 0 : k + 1) - p;
+        const Vec2 before = point(k == 0 ? ring - 1 : k - 1) - p;
+        const double slack = -error * radius;
+        if (dot(p, after) >= slack && dot(p, before) >= slack) peak = std::max(peak, radius);
       } else {
         lo = -radius;
       }
@@ -119,12 +125,41 @@ bool opposes(const Vec2 a, const Vec2 b, const Motion& m) {
   return dot(a, b) <= kAlignmentSlack && std::abs(cross(a, b)) <= m.sin_half + kAlignmentSlack;
 }
 
+// Range of one function along a straight segment, where the angle follows the translation:
+// t = t_c + s g1, delta = s turn, |s| <= 1. First order exactly, the rest bounded, so that the slack
+// shrinks with the square of the interval. `point` as above; `slope(p)` is ds's derivative, `bend`
+// bounds a further second-order term.
+template <class Point, class Slope>
+Range coupled_range(const Vec2 n, const std::size_t ring, const Constraint& c, const Motion& m,
+                    const double bend, const Point& point, const Slope& slope) {
+  const double h = m.half_angle;
+  Range range{INFINITY, INFINITY};
+  for (std::size_t i = 0; i < c.count; ++i) {
+    const std::size_t k = c.first + i < ring ? c.first + i : c.first + i - ring;
+    const Vec2 p = point(k);
+    const double v = dot(n, p);
+    const double w = cross(p, n);
+    // 1 - cos h <= h^2 / 2 and h - sin h <= h^3 / 6
+    const double rest = std::abs(v) * (h * h / 2) + std::abs(w) * (h * h * h / 6) + bend;
+    const double reach = std::abs(slope(w)) + rest;
+    range.lo = std::min(range.lo, v - reach);
+    range.hi = std::min(range.hi, v + reach);
+  }
+  return range;
+}
+
+Range intersection(const Range a, const Range b) {
+  return {std::max(a.lo, b.lo), std::min(a.hi, b.hi)};
+}
+
 Range obstacle_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motion& m,
                           const double error, Constraint& c) {
   const Edge& edge = b.edges[c.edge];
   const Vec2 n = edge.normal;
+  const auto point = [&](const std::size_t k) { return a.vertices[k]; };
+  const Constraint whole = c;
   const Envelope e = lower_envelope(
-      n, a.vertices.size(), c, m, error, [&](const std::size_t k) { return a.vertices[k]; },
+      n, a.vertices.size(), c, m, error, point,
       [&](const std::size_t k, double& value) {
         value = -a.piece->edges[k].offset;
         return opposes(a.normals[k], n, m);
@@ -133,15 +168,21 @@ Range obstacle_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motio
   c.count = e.count;
   const double shift = dot(n, m.t) - edge.offset;
   const double extent = fixed_extent(m, n);
-  return {e.lo + shift - extent, e.hi + shift + extent};
+  const Range box{e.lo + shift - extent, e.hi + shift + extent};
+  if (m.turn == 0.0) return box;
+  const double along = dot(n, m.g1);
+  const Range coupled = coupled_range(n, a.vertices.size(), whole, m, 0.0, point,
+                                      [&](const double w) { return along + w * m.turn; });
+  return intersection(box, {coupled.lo + shift, coupled.hi + shift});
 }
 
 Range robot_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motion& m,
                        const double error, Constraint& c) {
   const Vec2 n = a.normals[c.edge];
+  const auto point = [&](const std::size_t k) { return b.edges[k].vertex - m.t; };
+  const Constraint whole = c;
   const Envelope e = lower_envelope(
-      n, b.edges.size(), c, m, error,
-      [&](const std::size_t k) { return b.edges[k].vertex - m.t; },
+      n, b.edges.size(), c, m, error, point,
       [&](const std::size_t k, double& value) {
         const Edge& edge = b.edges[k];
         value = dot(edge.normal, m.t) - edge.offset;
@@ -151,7 +192,14 @@ Range robot_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motion& 
   c.count = e.count;
   const double offset = a.piece->edges[c.edge].offset;
   const double extent = turning_extent(m, n);
-  return {e.lo - offset - extent, e.hi - offset + extent};
+  const Range box{e.lo - offset - extent, e.hi - offset + extent};
+  if (m.turn == 0.0) return box;
+  // R(delta) n . (u - s g1): u turns the other way round, and |(R(delta) n - n) . g1| <= h |g1|.
+  const double along = dot(n, m.g1);
+  const Range coupled =
+      coupled_range(n, b.edges.size(), whole, m, m.half_angle * m.g1_length, point,
+                    [&](const double w) { return -along - w * m.turn; });
+  return intersection(box, {coupled.lo - offset, coupled.hi - offset});
 }
 
 // Upper bound of the function's hi from the inner circle of the piece that the edge faces: enough to

@@ -112,6 +112,7 @@ nb::dict statistics_dict(const planner::Answer& answer) {
   out["labelled_cells"] = s.labelled_cells;
   out["separation_evaluations"] = s.separation_evaluations;
   out["star_tests"] = s.star_tests;
+  out["joint_cells"] = s.joint_cells;
   out["pairs_touched"] = s.pairs_touched;
   out["pairs_total"] = s.pairs_total;
   out["faces_tested"] = s.faces_tested;

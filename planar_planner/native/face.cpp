@@ -79,6 +79,7 @@ Link FaceTest::label_face(const Extent& face, const ConstraintView& parent, cons
   if (result.label == Label::kFree) return {LinkState::kOpen, {motion.t, turns}};
   if (const auto guard = star_.find_guard(motion, posed, view(list)))
     return {LinkState::kOpen, {*guard, turns}};
+  if (joint_.obstructs(motion, posed, view(list))) return {LinkState::kBlocked, {}};
   const int axis = widest_axis(motion, result.turning_radius, face);
   if (depth == 0 || budget <= 0 || axis < 0) return {};
   LinkState state = LinkState::kBlocked;

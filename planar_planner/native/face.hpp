@@ -31,7 +31,8 @@ class FaceTest {
  public:
   FaceTest(const Subdivision& subdivision, Labeller& labeller, Statistics& statistics)
       : subdivision_(subdivision), labeller_(labeller), statistics_(statistics),
-        star_(labeller.robot(), labeller.tree()) {}
+        star_(labeller.robot(), labeller.tree()),
+        joint_(labeller.robot(), labeller.tree()) {}
 
   // Both cells are solid leaves that share a face.
   Link test(CellId a, CellId b);
@@ -45,6 +46,7 @@ class FaceTest {
   Labeller& labeller_;
   Statistics& statistics_;
   StarTest star_;
+  JointTest joint_;
 };
 
 }  // namespace planner

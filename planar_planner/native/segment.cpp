@@ -29,7 +29,8 @@ pdg::Motion SegmentTest::motion_along(const Pose& from, const Pose& to, const In
   m.t = between(from, to, 0.5 * (i.begin + i.end)).t;
   m.g1 = half * (to.t - from.t);
   m.g1_length = pdg::norm(m.g1);
-  m.half_angle = half * std::abs(to.theta - from.theta);
+  m.turn = half * (to.theta - from.theta);
+  m.half_angle = std::abs(m.turn);
   m.cos_half = std::cos(m.half_angle);
   m.sin_half = std::sin(m.half_angle);
   m.reach = problem_.domain.reach;

@@ -23,6 +23,7 @@ struct Statistics {
   std::uint64_t pairs_touched = 0;
   std::uint64_t pairs_total = 0;
   std::uint64_t star_tests = 0;
+  std::uint64_t joint_cells = 0;  // FULL by several pairs together
   std::uint64_t faces_tested = 0;
   std::uint64_t segments_tested = 0;
   std::uint64_t search_rounds = 0;

@@ -22,7 +22,7 @@ void erase_value(std::vector<CellId>& list, const CellId value) {
 
 Subdivision::Subdivision(const CellSpace& space, Labeller& labeller, Statistics& statistics)
     : space_(space), labeller_(labeller), statistics_(statistics),
-      star_(labeller.robot(), labeller.tree()) {
+      star_(labeller.robot(), labeller.tree()), joint_(labeller.robot(), labeller.tree()) {
   ConstraintList root;
   labeller_.root_list(root);
   // Quarter turns at most: two cells then share at most one face, and half-angles stay below pi/2.
@@ -100,13 +100,17 @@ CellId Subdivision::add_cell(const CellBox& box, const ConstraintView& parent) {
   cell.size = static_cast<float>(radius / labeller_.robot().reach);
   if (result.label == Label::kMixed) {
     cell.separation = static_cast<float>(result.separation / radius);
-    ++statistics_.star_tests;
-    if (const auto guard = star_.find_guard(motion, posed, view(child_list_))) {
+    // A cell whose centre looks free is not FULL; the rest is worth both tests.
+    if (result.separation < 0.0 && joint_.obstructs(motion, posed, view(child_list_))) {
+      cell.label = Label::kFull;
+      cell.joint = true;
+      ++statistics_.joint_cells;
+    } else if (++statistics_.star_tests; const auto guard = star_.find_guard(motion, posed, view(child_list_))) {
       cell.label = Label::kStar;
       cell.guard = static_cast<std::uint32_t>(guards_.size());
       guards_.push_back(*guard);
     }
-    cell.list = store_.store(child_list_);
+    if (cell.label != Label::kFull) cell.list = store_.store(child_list_);
   }
   cell.cost = static_cast<float>(crossing_cost(cell));
   cells_.push_back(std::move(cell));

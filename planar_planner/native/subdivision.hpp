@@ -8,6 +8,7 @@
 
 #include "cell.hpp"
 #include "constraints.hpp"
+#include "joint.hpp"
 #include "label.hpp"
 #include "star.hpp"
 #include "statistics.hpp"
@@ -28,7 +29,8 @@ struct Cell {
   float turning_radius = 0.0F;    // of the robot pieces still active
   std::uint32_t guard = 0;        // kStar: index of the guard
   ConstraintStore::Handle list;   // kMixed, kStar
-  Witness witness;                // kFull
+  Witness witness;                // kFull by one pair
+  bool joint = false;             // kFull by several pairs together (joint.hpp)
   std::vector<CellId> neighbours; // leaves that are not FULL, sharing a face of positive area
 
   [[nodiscard]] bool leaf() const { return children == 0; }
@@ -72,6 +74,7 @@ class Subdivision {
   Labeller& labeller_;
   Statistics& statistics_;
   StarTest star_;
+  JointTest joint_;
   std::vector<Cell> cells_;
   std::vector<Vec2> guards_;
   ConstraintStore store_;
