@@ -1,16 +1,11 @@
 #include "separation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pdg {
 
 namespace {
-
-// Vertex ranges longer than this are not narrowed in one step; it bounds a stack buffer and
-// nothing else (results do not depend on it beyond speed).
-constexpr std::size_t kNarrowingBuffer = 512;
 
 struct Envelope {
   double lo = 0.0;       // min over points and delta
@@ -37,56 +32,30 @@ double turning_extent(const Motion& m, const Vec2 n) {
   return std::max(turning_extent_of(m, n, m.g1 + m.g2), turning_extent_of(m, n, m.g1 - m.g2));
 }
 
-// Trims the cyclic vertex range to those that can be minimal somewhere: lo_i <= min_j hi_j.
-void narrow(const std::span<const double> lows, const double limit, const std::size_t ring,
-            Envelope& envelope) {
-  const std::size_t count = lows.size();
-  std::size_t begin = 0;
-  std::size_t length = count;
-  if (count == ring) {  // whole ring: start behind the longest run of impossible vertices
-    std::size_t best_run = 0;
-    std::size_t best_end = 0;
-    std::size_t run = 0;
-    for (std::size_t i = 0; i < 2 * count; ++i) {
-      run = lows[i % count] > limit ? run + 1 : 0;
-      if (run > best_run && run < count) {
-        best_run = run;
-        best_end = i + 1;
-      }
-    }
-    begin = best_end % count;
-    length = count - best_run;
-  } else {
-    while (length > 1 && lows[begin] > limit) ++begin, --length;
-    while (length > 1 && lows[begin + length - 1] > limit) --length;
-  }
-  envelope.first = static_cast<std::uint16_t>((envelope.first + begin) % ring);
-  envelope.count = static_cast<std::uint16_t>(length);
-}
-
-// Lower envelope of n . R(delta) p_i (or R(delta) n . p_i: the sign of delta does not matter) over
-// a cyclic vertex range. `point(i)` is vertex i seen from the centre of the motion;
+// Lower envelope of n . R(delta) p_i over a cyclic vertex range (for a robot edge the angle runs the
+// other way, which changes nothing). `point(i)` is vertex i seen from the centre of the motion;
 // `aligned(i, value)` says whether the edge from vertex i to i + 1 becomes parallel to the axis
 // within the half-angle and gives the envelope's value there.
 template <class Point, class Aligned>
 Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& c, const Motion& m,
                         const double error, const Point& point, const Aligned& aligned) {
   Envelope out{.lo = INFINITY, .hi = INFINITY, .first = c.first, .count = c.count};
-  std::array<double, kNarrowingBuffer> lows;
-  double at_ends[2] = {INFINITY, INFINITY};
+  const auto at = [&](const std::size_t i) { return c.first + i < ring ? c.first + i : c.first + i - ring; };
+  double at_minus = INFINITY;  // envelope at delta = -h and +h, and its minimisers there
+  double at_plus = INFINITY;
+  std::size_t i_minus = 0;
+  std::size_t i_plus = 0;
   double peak = -INFINITY;
   for (std::size_t i = 0; i < c.count; ++i) {
-    std::size_t k = c.first + i;
-    if (k >= ring) k -= ring;
+    const std::size_t k = at(i);
     const Vec2 p = point(k);
     const double v = dot(n, p);
     const double w = cross(p, n);
     const double middle = v * m.cos_half;
     const double swing = w * m.sin_half;
-    const double flat = std::abs(w) * m.cos_half;
     double lo = middle - std::abs(swing);
     double hi = middle + std::abs(swing);
-    if (flat <= std::abs(v) * m.sin_half) {
+    if (std::abs(w) * m.cos_half <= std::abs(v) * m.sin_half) {
       const double radius = norm(p);
       if (v > 0.0) {
         hi = radius;
@@ -100,23 +69,24 @@ Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& 
         lo = -radius;
       }
     }
-    at_ends[0] = std::min(at_ends[0], middle - swing);
-    at_ends[1] = std::min(at_ends[1], middle + swing);
+    if (middle - swing < at_minus) at_minus = middle - swing, i_minus = i;
+    if (middle + swing < at_plus) at_plus = middle + swing, i_plus = i;
     out.lo = std::min(out.lo, lo);
     out.hi = std::min(out.hi, hi);
-    if (i < kNarrowingBuffer) lows[i] = lo;
   }
   if (c.count == 1) return out;
-  const double limit = out.hi + error;
-  double envelope = std::max({at_ends[0], at_ends[1], peak});
-  for (std::size_t i = 0; i + (c.count == ring ? 0 : 1) < c.count; ++i) {
-    std::size_t k = c.first + i;
-    if (k >= ring) k -= ring;
+  // On a counter-clockwise ring the minimiser walks backwards while delta grows: the possible ones
+  // are the arc from that at +h to that at -h. A partial range holds the arc in order, up to ties.
+  if (c.count < ring && i_plus > i_minus) std::swap(i_plus, i_minus);
+  const std::size_t length = (i_minus + c.count - i_plus) % c.count + 1;
+  double envelope = std::max({at_minus, at_plus, peak});
+  for (std::size_t i = 0; i + 1 < length; ++i) {
     double value = 0.0;
-    if (aligned(k, value)) envelope = std::max(envelope, value);
+    if (aligned(at((i_plus + i) % c.count), value)) envelope = std::max(envelope, value);
   }
   out.hi = std::min(out.hi, envelope);
-  if (c.count <= kNarrowingBuffer) narrow({lows.data(), c.count}, limit, ring, out);
+  out.first = static_cast<std::uint16_t>(at(i_plus));
+  out.count = static_cast<std::uint16_t>(length);
   return out;
 }
 

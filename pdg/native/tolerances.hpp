@@ -24,10 +24,11 @@ inline constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon() /
 //   robot edge, v and w        15 (|b|+|t|)  (u_b = b - t_c: 3, normal: 10, dot product: 2)
 //     v cos h + |w| sin h      27 (|b|+|t|), box extent 32 |t|, offset c 7 |a|, sums 5,
 //     another vertex of A beyond the rounded normal: 20 |a|
-// The largest coefficient is 27 + 32 + 5 + 8 = 72 (of |t|). Second-order terms and the guard
-// conditions of the star test, which add at most 16 to it, fit below 96.
+//   vertices dropped as no minimiser on the strength of rounded values: twice 27 (|b|+|t|)
+// The largest coefficient is 27 + 32 + 5 + 8 + 54 = 126 (of |t|). Second-order terms and the guard
+// conditions of the star test, which add at most 16 to it, fit below 160.
 // Too small a value makes labels false; too large a one only stops the subdivision earlier.
-inline constexpr double kSeparationErrorUnits = 96.0;
+inline constexpr double kSeparationErrorUnits = 160.0;
 
 // Slack, in the sine of an angle, with which an edge counts as aligned with a direction within a
 // half-angle: two unit normals of error 10 u each, a cross product (3 u) and sin h (2 u), doubled.
