@@ -66,8 +66,10 @@ nb::dict placement_dict(const planner::Placement& p) {
   constexpr std::array<const char*, 4> states{"free", "contact", "colliding", "outside"};
   nb::dict out;
   out["state"] = states[static_cast<std::size_t>(p.state)];
-  const bool inside = p.state == planner::PlacementState::kFree;
-  out["what"] = inside ? "" : p.reference ? "reference_bounds" : p.wall ? "workspace" : "obstacle";
+  const char* what = p.wall ? "workspace" : "obstacle";
+  if (p.state == planner::PlacementState::kFree) what = "";
+  if (p.state == planner::PlacementState::kOutside) what = "reference_bounds";
+  out["what"] = what;
   out["polygon"] = p.obstacle;
   out["piece"] = p.robot_polygon;
   out["depth"] = p.depth;
@@ -147,7 +149,12 @@ bool ask_python(const nb::object& listener, const planner::Progress& p) {
   counts["mixed"] = p.mixed;
   counts["channel_length"] = p.channel_length;
   counts["rounds"] = p.rounds;
-  return nb::cast<bool>(listener(counts));
+  try {
+    return nb::cast<bool>(listener(counts));
+  } catch (nb::python_error& error) {
+    if (!error.matches(PyExc_KeyboardInterrupt)) throw;
+    return false;
+  }
 }
 
 nb::dict solve(planner::Planner& planner, const std::array<double, 3>& start,

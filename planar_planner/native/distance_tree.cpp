@@ -12,16 +12,12 @@ double tune(const char* name, double value) {
   return s ? std::atof(s) : value;
 }
 const double kSlackDown = tune("T_SLACK", 0.3);
-const double kSlackUp = tune("T_DOWN", 1.0);
+const double kSlackUp = tune("T_DOWN", 0.3);
 
 // More than any channel without exhausted cells and doubtful links can cost.
 constexpr double kBarrier = 1e15;
 
 }  // namespace
-
-std::uint64_t link_key(const CellId a, const CellId b) {
-  return (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
-}
 
 std::size_t DistanceTree::bytes() const {
   return nodes_.capacity() * sizeof(Node) + (open_.size() + orphans_.size()) * sizeof(Step);

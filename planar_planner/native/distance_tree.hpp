@@ -25,8 +25,6 @@ inline constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 // Links that could not be decided; passing one costs more than any channel without.
 using DoubtfulLinks = std::unordered_set<std::uint64_t>;
-std::uint64_t link_key(CellId a, CellId b);
-
 class DistanceTree {
  public:
   DistanceTree(const Subdivision& subdivision, const DoubtfulLinks& doubtful,

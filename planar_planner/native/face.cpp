@@ -25,6 +25,15 @@ int widest_axis(const pdg::Motion& m, const double radius, const Extent& face) {
 }  // namespace
 
 Link FaceTest::test(const CellId a, const CellId b) {
+  const std::uint64_t key = link_key(a, b);
+  if (const auto known = open_.find(key); known != open_.end())
+    return {LinkState::kOpen, known->second};
+  const Link link = test_face(a, b);
+  if (link.state == LinkState::kOpen) open_.emplace(key, link.connector);
+  return link;
+}
+
+Link FaceTest::test_face(const CellId a, const CellId b) {
   const Stopwatch watch(statistics_.seconds.faces);
   ++statistics_.faces_tested;
   const Cell& first = subdivision_.cell(a);

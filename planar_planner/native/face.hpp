@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "subdivision.hpp"
@@ -34,10 +35,11 @@ class FaceTest {
         star_(labeller.robot(), labeller.tree()),
         joint_(labeller.robot(), labeller.tree()) {}
 
-  // Both cells are solid leaves that share a face.
+  // Both cells are solid leaves that share a face. Open links are remembered.
   Link test(CellId a, CellId b);
 
  private:
+  Link test_face(CellId a, CellId b);
   Link label_face(const Extent& face, const ConstraintView& parent, int depth, int& budget);
   std::optional<Connector> quick_connector(CellId a, CellId b, const Extent& face,
                                            const ConstraintView& list);
@@ -47,6 +49,7 @@ class FaceTest {
   Statistics& statistics_;
   StarTest star_;
   JointTest joint_;
+  std::unordered_map<std::uint64_t, Connector> open_;
 };
 
 }  // namespace planner

@@ -133,10 +133,13 @@ bool Labeller::visit_node(Pass& pass, const std::uint32_t index) {
 }
 
 bool Labeller::visit_piece(Pass& pass, const std::uint32_t piece) {
-  for (std::size_t i = 0; i < robot_.body_pieces(); ++i) {
-    ++statistics_.pairs_touched;
-    if (!visit_closed_pair(pass, piece, static_cast<std::uint16_t>(i))) return false;
+  if (touched_.size() <= piece) touched_.resize(tree_.piece_count());
+  if (!touched_[piece]) {
+    touched_[piece] = true;
+    pairs_touched_ += robot_.body_pieces();
   }
+  for (std::size_t i = 0; i < robot_.body_pieces(); ++i)
+    if (!visit_closed_pair(pass, piece, static_cast<std::uint16_t>(i))) return false;
   return true;
 }
 

@@ -50,6 +50,9 @@ class Labeller {
   // The robot at a rotation; valid until the next call.
   const pdg::PosedRobot& posed(pdg::Rotation rotation);
 
+  // Pairs of pieces looked at so far, each counted once.
+  [[nodiscard]] std::uint64_t pairs_touched() const { return pairs_touched_; }
+
   [[nodiscard]] const Robot& robot() const { return robot_; }
   [[nodiscard]] const ObstacleTree& tree() const { return tree_; }
 
@@ -67,6 +70,8 @@ class Labeller {
   Statistics& statistics_;
   pdg::PosedRobot posed_;
   std::vector<pdg::Constraint> fresh_;
+  std::vector<bool> touched_;  // by obstacle piece: its pairs with all robot pieces
+  std::uint64_t pairs_touched_ = 0;
 };
 
 }  // namespace planner

@@ -25,4 +25,7 @@ struct Progress {
 // False stops the search.
 using Listener = std::function<bool(const Progress&)>;
 
+// Asked often, everywhere that work can take long; true: stop now.
+using Terminator = std::function<bool()>;
+
 }  // namespace planner

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "face.hpp"
+#include "limits.hpp"
 #include "problem.hpp"
 #include "scene.hpp"
 #include "segment.hpp"
@@ -20,27 +21,23 @@ struct PathReport {
   double least_clearance = 0.0;          // certified lower bound, user's units
 };
 
-// Rounds to the user's doubles and back: what is certified is what is returned.
-Pose pose_of(const Problem& problem, const Configuration& q);
-Configuration configuration_of(const Problem& problem, const Pose& pose);
-
 // start -> guards and connectors -> goal. links[i] joins channel[i] and channel[i + 1].
 std::vector<Configuration> assemble_path(const Problem& problem, const Subdivision& subdivision,
                                          const std::vector<CellId>& channel,
                                          const std::vector<Connector>& links,
                                          const Configuration& start, const Configuration& goal);
 
-// The first segment that cannot be certified, if any.
+// The first segment that cannot be certified (or before which the terminator struck), if any.
 std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest& test,
-                                             const std::vector<Configuration>& path);
+                                             const std::vector<Configuration>& path,
+                                             const Terminator& stop);
 
-// Drops waypoints while every new segment is certified. Deterministic; never longer.
-void shorten(const Problem& problem, SegmentTest& test, std::vector<Configuration>& path);
+// Drops waypoints while every new segment is certified. Deterministic; never longer. A certified
+// path stays one when the terminator strikes.
+void shorten(const Problem& problem, SegmentTest& test, std::vector<Configuration>& path,
+             const Terminator& stop);
 
 PathReport report_path(const Problem& problem, SegmentTest& test,
                        std::vector<Configuration> waypoints);
-
-// goal.theta plus the whole turns that bring it nearest to `theta`.
-double nearest_turn(double angle, double theta);
 
 }  // namespace planner

@@ -6,15 +6,10 @@
 #include <vector>
 
 #include "label.hpp"
+#include "pose.hpp"
 #include "problem.hpp"
 
 namespace planner {
-
-// Planner units; theta in radians, unwrapped.
-struct Pose {
-  Vec2 t;
-  double theta = 0.0;
-};
 
 class SegmentTest {
  public:

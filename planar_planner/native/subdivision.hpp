@@ -18,6 +18,11 @@ namespace planner {
 using CellId = std::uint32_t;
 inline constexpr CellId kNoCell = UINT32_MAX;
 
+// One key for the unordered pair.
+constexpr std::uint64_t link_key(const CellId a, const CellId b) {
+  return (std::uint64_t{a < b ? a : b} << 32) | (a < b ? b : a);
+}
+
 struct Cell {
   CellBox box;
   Label label = Label::kMixed;

@@ -1,0 +1,56 @@
+#include "disc.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "pdg/native/tolerances.hpp"
+
+namespace planner {
+
+namespace {
+
+constexpr int kSides = 16;
+// Robots with a larger ratio of their outer to their inner radius are not tried: the two scenes
+// would mostly be undecided. The polygons themselves add a factor of cos(pi / 16)^-2 = 1.04.
+constexpr double kDiscRatio = 1.25;
+
+PolygonSet regular_polygon(const double radius) {
+  Polygon polygon{{{}}};
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kSides;
+    polygon.rings[0].push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  PolygonSet set;
+  set.append(polygon);
+  return set;
+}
+
+Scene with_robot(const Problem& problem, PolygonSet robot) {
+  Scene scene = problem.scene;
+  scene.robot = std::move(robot);
+  scene.rotation = false;
+  if (scene.workspace) {  // make_problem appends the outside again
+    PolygonSet obstacles;
+    for (std::size_t i = 0; i < problem.user_obstacles; ++i)
+      obstacles.append(problem.scene.obstacles.polygon(i));
+    scene.obstacles = std::move(obstacles);
+  }
+  return scene;
+}
+
+}  // namespace
+
+std::optional<DiscScenes> disc_scenes(const Problem& problem) {
+  const Robot& robot = problem.robot;
+  if (!problem.rotation || robot.inner_reach <= 0.0 ||
+      robot.reach > kDiscRatio * robot.inner_reach)
+    return std::nullopt;
+  constexpr double slack = 16.0 * pdg::kUnitRoundoff;
+  const double outer = length_to_user(problem, robot.reach) * (1.0 + slack) /
+                       std::cos(std::numbers::pi / kSides);
+  const double inner = length_to_user(problem, robot.inner_reach) * (1.0 - slack);
+  return DiscScenes{with_robot(problem, regular_polygon(outer)),
+                    with_robot(problem, regular_polygon(inner))};
+}
+
+}  // namespace planner

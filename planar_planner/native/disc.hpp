@@ -1,0 +1,22 @@
+// A robot that is nearly a disc about its reference point hardly needs theta. A polygon round it in
+// every orientation that finds a way by translation alone gives a path; a polygon inside it in every
+// orientation that has none proves that there is none.
+#pragma once
+
+#include <optional>
+
+#include "problem.hpp"
+#include "scene.hpp"
+
+namespace planner {
+
+// The scene with a fixed, regular polygon for a robot.
+struct DiscScenes {
+  Scene round;   // holds the robot in every orientation, up to rounding: its path is certified again
+  Scene inside;  // lies inside the robot in every orientation, exactly
+};
+
+// Only for robots whose discs are close enough to be worth a try.
+std::optional<DiscScenes> disc_scenes(const Problem& problem);
+
+}  // namespace planner

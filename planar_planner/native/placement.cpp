@@ -1,0 +1,144 @@
+#include "placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pdg/native/tolerances.hpp"
+#include "pdg/native/translational_depth.hpp"
+
+namespace planner {
+
+namespace {
+
+// Directions and lengths that a way out of a contact is looked for in: a full turn in 64 steps, from
+// 4^-6 of the tolerance upwards.
+constexpr int kDirections = 64;
+constexpr int kLengths = 7;
+
+pdg::ConvexPolygon turned(const pdg::ConvexPiece& piece, const pdg::Rotation rotation, const Vec2 t) {
+  pdg::ConvexPolygon out;
+  for (const pdg::Edge& edge : piece.edges) out.push_back(pdg::rotate(rotation, edge.vertex) + t);
+  return out;
+}
+
+pdg::ConvexPolygon polygon_of(const pdg::ConvexPiece& piece) {
+  return turned(piece, pdg::Rotation{}, Vec2{});
+}
+
+struct Deepest {
+  double depth = -INFINITY;  // planner units
+  std::uint32_t obstacle = 0;
+  std::size_t robot = 0;
+};
+
+// How far the hull reaches into a wall.
+double wall_depth(const pdg::ConvexPolygon& hull, const pdg::Edge& wall) {
+  double depth = -INFINITY;
+  for (const Vec2 p : hull) depth = std::max(depth, wall.offset - dot(wall.normal, p));
+  return depth;
+}
+
+class DepthSearch {
+ public:
+  DepthSearch(const Problem& problem, ObstacleTree& tree, const pdg::Rotation rotation, const Vec2 t)
+      : tree_(tree), t_(t), reach_(problem.robot.reach) {
+    for (const pdg::ConvexPiece& piece : problem.robot.pieces)
+      bodies_.push_back(turned(piece, rotation, t));
+  }
+
+  Deepest find() {
+    for (std::uint32_t wall = 0; wall < tree_.wall_count(); ++wall)
+      note(wall_depth(bodies_.back(), tree_.piece(wall).edges[0]), wall, bodies_.size() - 1);
+    if (!tree_.empty()) visit(tree_.root());
+    return deepest_;
+  }
+
+ private:
+  void note(const double depth, const std::uint32_t obstacle, const std::size_t robot) {
+    if (depth > deepest_.depth) deepest_ = {depth, obstacle, robot};
+  }
+
+  void visit(const std::uint32_t index) {
+    const TreeNode node = tree_.node(index);
+    if (t_.x + reach_ < node.low.x || t_.x - reach_ > node.high.x || t_.y + reach_ < node.low.y ||
+        t_.y - reach_ > node.high.y)
+      return;
+    tree_.expand(index);
+    const TreeNode& open = tree_.node(index);
+    if (open.piece == kNoPiece) {
+      const std::uint32_t left = open.left;
+      visit(left);
+      visit(left + 1);
+      return;
+    }
+    const std::uint32_t piece = open.piece;
+    const pdg::ConvexPolygon b = polygon_of(tree_.piece(piece));
+    for (std::size_t i = 0; i + 1 < bodies_.size(); ++i)
+      note(pdg::translational_depth(bodies_[i], b).depth, piece, i);
+  }
+
+  ObstacleTree& tree_;
+  Vec2 t_;
+  double reach_;
+  std::vector<pdg::ConvexPolygon> bodies_;  // the hull last
+  Deepest deepest_;
+};
+
+double outside_bounds(const Problem& problem, const Configuration& q) {
+  if (!problem.reference_bounds) return 0.0;
+  const Rectangle& r = *problem.reference_bounds;
+  return std::max({r.low.x - q.x, q.x - r.high.x, r.low.y - q.y, q.y - r.high.y, 0.0});
+}
+
+}  // namespace
+
+Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
+                const Configuration& q) {
+  Placement out;
+  out.depth = outside_bounds(problem, q);
+  if (out.depth > 0.0) {
+    out.state = PlacementState::kOutside;
+    return out;
+  }
+  const Pose pose = pose_of(problem, q);
+  ConstraintList root, rest;
+  labeller.root_list(root);
+  pdg::Motion motion;
+  motion.t = pose.t;
+  motion.reach = std::max(problem.domain.reach, pdg::norm(pose.t) * pdg::kRadiusPadding);
+  motion.angle_factor = 1.0 + std::abs(q.theta);
+  const pdg::Rotation rotation{std::cos(q.theta), std::sin(q.theta)};
+  const LabelResult result = labeller.label(motion, labeller.posed(rotation), view(root), rest);
+  if (result.label == Label::kFree) {
+    out.clearance = length_to_user(problem, result.clearance);
+    return out;
+  }
+  const Deepest deepest = DepthSearch(problem, tree, rotation, pose.t).find();
+  out.state = result.label == Label::kFull ? PlacementState::kColliding : PlacementState::kContact;
+  if (out.state == PlacementState::kColliding)
+    out.depth = length_to_user(problem, std::max(deepest.depth, 0.0));
+  out.robot_polygon = problem.robot.polygon_of_piece[deepest.robot];
+  const std::uint32_t polygon = tree.polygon_of_piece(deepest.obstacle);
+  out.wall = polygon == kWall || polygon >= problem.user_obstacles;
+  out.obstacle = out.wall ? -1 : static_cast<std::int64_t>(polygon);
+  return out;
+}
+
+std::optional<Configuration> lift_off(const Problem& problem, SegmentTest& test,
+                                      const Configuration& q, const double tolerance) {
+  for (int k = kLengths - 1; k >= 0; --k) {
+    // A little short of the tolerance, so that rounding cannot carry it beyond.
+    const double length = tolerance * std::ldexp(1.0 - 8.0 * pdg::kUnitRoundoff, -2 * k);
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kDirections;
+      const Configuration moved{q.x + length * std::cos(angle), q.y + length * std::sin(angle),
+                                q.theta};
+      if (outside_bounds(problem, moved) == 0.0 && test.is_free(pose_of(problem, moved)))
+        return moved;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace planner

@@ -1,0 +1,23 @@
+// Configurations in planner units, and the way to the user's doubles and back: what is certified is
+// what is returned.
+#pragma once
+
+#include "problem.hpp"
+#include "scene.hpp"
+
+namespace planner {
+
+// Planner units; theta in radians, unwrapped.
+struct Pose {
+  Vec2 t;
+  double theta = 0.0;
+};
+
+Pose pose_of(const Problem& problem, const Configuration& q);
+// Moved onto the reference bounds where rounding carried it out of them.
+Configuration configuration_of(const Problem& problem, const Pose& pose);
+
+// `angle` plus the whole turns that bring it nearest to `theta`.
+double nearest_turn(double angle, double theta);
+
+}  // namespace planner

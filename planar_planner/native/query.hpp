@@ -1,0 +1,52 @@
+// One query while it is being answered: its ends, limits and answer so far.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "limits.hpp"
+#include "path.hpp"
+#include "scene.hpp"
+#include "statistics.hpp"
+
+namespace planner {
+
+enum class Verdict : std::uint8_t { kPath, kNoPath, kUndecided };
+
+struct Answer {
+  Verdict verdict = Verdict::kUndecided;
+  std::string reason;
+  PathReport path;  // kPath
+  Statistics statistics;
+  std::array<std::uint64_t, 4> cells_by_label{};  // indexed by Label
+  std::vector<std::uint64_t> cells_by_level;      // by the sum of the three axes' levels
+};
+
+struct Query {
+  Configuration start, goal;
+  const Limits& limits;
+  const Listener& listener;
+  Answer answer;
+  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+  double last_call = 0.0;  // of the listener, seconds after `begin`
+  bool stopped = false;    // a limit was reached
+
+  Query(const Configuration& s, const Configuration& g, const Limits& l, const Listener& ear)
+      : start(s), goal(g), limits(l), listener(ear) {}
+
+  [[nodiscard]] double elapsed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+  void conclude(const Verdict verdict, std::string reason, std::string decided_by = "") {
+    answer.verdict = verdict;
+    answer.reason = std::move(reason);
+    answer.statistics.decided_by = std::move(decided_by);
+  }
+};
+
+}  // namespace planner

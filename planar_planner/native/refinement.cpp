@@ -1,0 +1,209 @@
+#include "refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+namespace planner {
+
+namespace {
+
+// The listener is called at most this often.
+constexpr double kListenerPeriod = 0.1;  // seconds
+
+double tune(const char* name, double value) {
+  const char* s = std::getenv(name);
+  return s ? std::atof(s) : value;
+}
+// A round splits the channel's MIXED cells down to this fraction of the largest one's size. Fewer
+// cells a round find dead ends with less work; more save rounds.
+const float kBatch = (float)tune("T_BATCH", 0.7);
+
+}  // namespace
+
+Refinement::Refinement(const Problem& problem, Subdivision& subdivision, FaceTest& faces,
+                       SegmentTest& segments, Statistics& statistics, Query& query)
+    : problem_(problem),
+      subdivision_(subdivision),
+      faces_(faces),
+      segments_(segments),
+      statistics_(statistics),
+      query_(query),
+      start_point_(dyadic(query.start)),
+      goal_point_(dyadic(query.goal)),
+      search_(subdivision, statistics) {}
+
+void Refinement::run() {
+  search_.reset(subdivision_.locate(start_point_), subdivision_.locate(goal_point_));
+  std::vector<CellId> channel;
+  while (!stop()) {
+    ++statistics_.search_rounds;
+    bool connected = false;
+    {
+      const Stopwatch watch(statistics_.seconds.search);
+      connected = search_.find(channel);
+    }
+    if (!connected)
+      return query_.conclude(Verdict::kNoPath,
+                             "cells and faces proven to lie in C-obstacle separate start from goal",
+                             "separation");
+    if (search_.passes_barrier(channel))
+      return query_.conclude(Verdict::kUndecided, "resolution reached");
+    statistics_.channel_length = channel.size();
+    if (split_mixed(channel)) continue;
+    if (!link(channel)) continue;
+    if (finish(channel)) return;
+  }
+}
+
+// Splits the largest MIXED cells of the channel. False if it has none.
+bool Refinement::split_mixed(const std::vector<CellId>& channel) {
+  float largest = 0.0F;
+  for (const CellId id : channel)
+    if (subdivision_.cell(id).label == Label::kMixed)
+      largest = std::max(largest, subdivision_.cell(id).size);
+  if (largest == 0.0F) return false;
+  for (const CellId id : channel) {
+    const Cell& cell = subdivision_.cell(id);
+    if (cell.label != Label::kMixed || cell.size < kBatch * largest) continue;
+    if (stop()) break;
+    if (subdivision_.divisible(id, query_.limits.resolution))
+      split(id);
+    else
+      exhaust(id);
+  }
+  return true;
+}
+
+void Refinement::split(const CellId cell) {
+  {
+    const Stopwatch watch(statistics_.seconds.search);
+    search_.before_split(cell);
+  }
+  subdivision_.split(cell);
+  const Stopwatch watch(statistics_.seconds.search);
+  const auto moved = [&](const CellId end, const std::array<std::uint64_t, 3>& point) {
+    return end == cell ? subdivision_.locate(point) : end;
+  };
+  search_.after_split(cell, moved(search_.start(), start_point_),
+                      moved(search_.goal(), goal_point_));
+}
+
+void Refinement::exhaust(const CellId cell) {
+  subdivision_.mark_exhausted(cell);
+  search_.on_exhausted(cell);
+}
+
+// Proves the links of a solid channel. False if one failed, or a limit struck: the graph has
+// changed.
+bool Refinement::link(const std::vector<CellId>& channel) {
+  connectors_.clear();
+  for (std::size_t i = 0; i + 1 < channel.size(); ++i) {
+    if (stop()) return false;
+    const CellId a = channel[i];
+    const CellId b = channel[i + 1];
+    const Link link = faces_.test(a, b);
+    switch (link.state) {
+      case LinkState::kOpen: connectors_.push_back(link.connector); break;
+      case LinkState::kBlocked:
+        subdivision_.disconnect(a, b);
+        search_.on_disconnected(a, b);
+        return false;
+      case LinkState::kDoubtful: resolve_doubt(a, b); return false;
+    }
+  }
+  return true;
+}
+
+// A face that stays mixed: split the larger STAR neighbour; at the limit the link is a barrier.
+void Refinement::resolve_doubt(const CellId a, const CellId b) {
+  const bool a_larger = subdivision_.cell(a).size >= subdivision_.cell(b).size;
+  for (const CellId cell : {a_larger ? a : b, a_larger ? b : a})
+    if (subdivision_.divisible(cell, query_.limits.resolution)) return split(cell);
+  search_.on_doubtful(a, b);
+}
+
+// Certifies the channel's path. False if it has to be refined first.
+bool Refinement::finish(const std::vector<CellId>& channel) {
+  const Stopwatch watch(statistics_.seconds.path);
+  const Terminator terminator = [this] { return stop(); };
+  std::vector<Configuration> path = assemble_path(problem_, subdivision_, channel, connectors_,
+                                                  query_.start, query_.goal);
+  const auto bad = first_uncertified(problem_, segments_, path, terminator);
+  if (query_.stopped) return true;
+  if (bad) {
+    refine_near(path[*bad], path[*bad + 1]);
+    return false;
+  }
+  shorten(problem_, segments_, path, terminator);
+  query_.stopped = false;
+  query_.answer.path = report_path(problem_, segments_, std::move(path));
+  query_.conclude(Verdict::kPath, "certified through a channel of cells", "channel");
+  return true;
+}
+
+// Free by construction, but too near to contact for the rounded waypoints: smaller cells have
+// guards that lie better.
+void Refinement::refine_near(const Configuration& from, const Configuration& to) {
+  const Pose p = pose_of(problem_, from);
+  const Pose q = pose_of(problem_, to);
+  const Configuration middle =
+      configuration_of(problem_, {0.5 * (p.t + q.t), 0.5 * (p.theta + q.theta)});
+  const CellId cell = subdivision_.locate(dyadic(middle));
+  if (subdivision_.cell(cell).label == Label::kFree ||
+      !subdivision_.divisible(cell, query_.limits.resolution))
+    exhaust(cell);
+  else
+    split(cell);
+}
+
+bool Refinement::stop() {
+  if (query_.stopped) return true;
+  const Limits& limits = query_.limits;
+  const auto reached = [&](const char* reason) {
+    query_.conclude(Verdict::kUndecided, reason);
+    query_.stopped = true;
+    return true;
+  };
+  statistics_.memory_bytes = subdivision_.bytes() + search_.bytes();
+  if (subdivision_.leaves() >= limits.max_cells) return reached("cell limit reached");
+  if (statistics_.memory_bytes >= limits.max_memory) return reached("memory limit reached");
+  const double elapsed = query_.elapsed();
+  if (elapsed >= limits.timeout) return reached("time limit reached");
+  if (!query_.listener || elapsed - query_.last_call < kListenerPeriod) return false;
+  query_.last_call = elapsed;
+  Answer census;
+  take_census(subdivision_, census);
+  const auto& n = census.cells_by_label;
+  const Progress progress{elapsed, subdivision_.leaves(), n[0], n[1], n[2], n[3],
+                          statistics_.channel_length, statistics_.search_rounds};
+  return query_.listener(progress) ? false : reached("interrupted");
+}
+
+std::array<std::uint64_t, 3> Refinement::dyadic(const Configuration& q) const {
+  const Domain& d = problem_.domain;
+  const Vec2 t = to_planner(problem_, {q.x, q.y});
+  const auto count = [](const double fraction) {
+    const double clamped = std::clamp(fraction, 0.0, 1.0);
+    return std::min(static_cast<std::uint64_t>(std::ldexp(clamped, kCoordinateBits)), kUnit - 1);
+  };
+  const double turn = q.theta / (2.0 * std::numbers::pi);
+  return {count((t.x - d.low.x) / d.size.x), count((t.y - d.low.y) / d.size.y),
+          problem_.rotation ? count(turn - std::floor(turn)) : 0};
+}
+
+void take_census(const Subdivision& subdivision, Answer& answer) {
+  answer.cells_by_label = {};
+  answer.cells_by_level.clear();
+  for (CellId id = 0; id < subdivision.size(); ++id) {
+    const Cell& cell = subdivision.cell(id);
+    if (!cell.leaf()) continue;
+    ++answer.cells_by_label[static_cast<std::size_t>(cell.label)];
+    const std::size_t level = std::size_t{cell.box.level[0]} + cell.box.level[1] + cell.box.level[2];
+    if (answer.cells_by_level.size() <= level) answer.cells_by_level.resize(level + 1);
+    ++answer.cells_by_level[level];
+  }
+}
+
+}  // namespace planner

@@ -1,0 +1,52 @@
+// The search: refine only what a channel needs, until the channel is a path or there is none.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "channel.hpp"
+#include "face.hpp"
+#include "problem.hpp"
+#include "query.hpp"
+#include "segment.hpp"
+#include "subdivision.hpp"
+
+namespace planner {
+
+// Borrows the planner's parts for one query; the subdivision and the known links stay behind.
+class Refinement {
+ public:
+  Refinement(const Problem& problem, Subdivision& subdivision, FaceTest& faces,
+             SegmentTest& segments, Statistics& statistics, Query& query);
+
+  // Concludes the query.
+  void run();
+
+ private:
+  bool split_mixed(const std::vector<CellId>& channel);
+  bool link(const std::vector<CellId>& channel);
+  void resolve_doubt(CellId a, CellId b);
+  bool finish(const std::vector<CellId>& channel);
+  void refine_near(const Configuration& from, const Configuration& to);
+  void split(CellId cell);
+  void exhaust(CellId cell);
+  bool stop();
+
+  [[nodiscard]] std::array<std::uint64_t, 3> dyadic(const Configuration& q) const;
+
+  const Problem& problem_;
+  Subdivision& subdivision_;
+  FaceTest& faces_;
+  SegmentTest& segments_;
+  Statistics& statistics_;
+  Query& query_;
+  std::array<std::uint64_t, 3> start_point_, goal_point_;
+  ChannelSearch search_;
+  std::vector<Connector> connectors_;
+};
+
+// Leaves by label and level.
+void take_census(const Subdivision& subdivision, Answer& answer);
+
+}  // namespace planner
