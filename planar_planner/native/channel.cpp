@@ -18,11 +18,10 @@ const double kSize = tune("T_SIZE", 1.5);
 
 }  // namespace
 
-double crossing_cost(const Cell& cell) {
-  const double size = std::pow(static_cast<double>(cell.size), kSize);
-  if (cell.solid()) return kSolid * size;
-  const double r = static_cast<double>(cell.separation);
-  return size * (r > 0 ? kPos0 / (1 + kPos1 * r) : kNeg0 - kNeg1 * r);
+double crossing_cost(const Label label, const double relative_size, const double separation) {
+  const double size = std::pow(relative_size, kSize);
+  if (label != Label::kMixed) return kSolid * size;
+  return size * (separation > 0 ? kPos0 / (1 + kPos1 * separation) : kNeg0 - kNeg1 * separation);
 }
 
 std::size_t ChannelSearch::bytes() const {
@@ -38,13 +37,17 @@ void ChannelSearch::reset(const CellId start, const CellId goal) {
 }
 
 void ChannelSearch::before_split(const CellId cell) {
+  if (!doubtful_.empty())
+    for (const CellId next : subdivision_.cell(cell).neighbours)
+      doubtful_.erase(link_key(cell, next));
   from_start_.before_split(cell);
   from_goal_.before_split(cell);
 }
 
-void ChannelSearch::after_split(const CellId cell, const CellId start, const CellId goal) {
-  from_start_.after_split(cell, start);
-  from_goal_.after_split(cell, goal);
+void ChannelSearch::after_split(const CellId lower, const CellId upper, const CellId start,
+                                const CellId goal) {
+  from_start_.after_split(lower, upper, start);
+  from_goal_.after_split(lower, upper, goal);
 }
 
 void ChannelSearch::on_exhausted(const CellId cell) {

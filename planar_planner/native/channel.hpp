@@ -27,10 +27,10 @@ class ChannelSearch {
   // Starts anew between two leaves.
   void reset(CellId start, CellId goal);
 
-  // A leaf is about to be split, and has been: `start` and `goal` are the leaves that hold the ends
-  // afterwards.
+  // A leaf is about to be split, and has been: its lower half keeps its id; `start` and `goal` are
+  // the leaves that hold the ends afterwards.
   void before_split(CellId cell);
-  void after_split(CellId cell, CellId start, CellId goal);
+  void after_split(CellId lower, CellId upper, CellId start, CellId goal);
   // Other changes of the graph, told after they happened.
   void on_exhausted(CellId cell);
   void on_disconnected(CellId a, CellId b);

@@ -44,10 +44,10 @@ inline ConstraintView view(const ConstraintList& list) { return {list.pairs, lis
 class ConstraintStore {
  public:
   struct Handle {
-    std::uint32_t pairs_at = 0;
-    std::uint32_t pair_count = 0;
-    std::uint32_t constraints_at = 0;
-    std::uint32_t constraint_count = 0;
+    std::uint32_t pairs_at;
+    std::uint32_t pair_count;
+    std::uint32_t constraints_at;
+    std::uint32_t constraint_count;
   };
 
   Handle store(const ConstraintList& list);

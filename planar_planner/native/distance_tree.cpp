@@ -25,28 +25,24 @@ std::size_t DistanceTree::bytes() const {
 
 void DistanceTree::reset(const CellId root) {
   root_ = root;
-  nodes_.clear();
-  add_nodes();
+  nodes_.resize(subdivision_.size());
+  for (CellId id = 0; id < nodes_.size(); ++id) refresh(id);
   open_ = {};
   orphans_ = {};
   changed_.clear();
   raised_ = {root};
 }
 
-void DistanceTree::add_nodes() {
-  for (auto id = static_cast<CellId>(nodes_.size()); id < subdivision_.size(); ++id) {
-    const Cell& cell = subdivision_.cell(id);
-    Node node;
-    node.cost = cell.exhausted ? kBarrier : static_cast<double>(cell.cost);
-    node.live = cell.leaf() && cell.label != Label::kFull;
-    nodes_.push_back(node);
-  }
+void DistanceTree::refresh(const CellId cell) {
+  const Cell& c = subdivision_.cell(cell);
+  nodes_[cell] = Node{};
+  nodes_[cell].cost = c.exhausted ? static_cast<float>(kBarrier) : c.cost;
+  if (c.label == Label::kFull) nodes_[cell].cost = -1.0F;
 }
 
 double DistanceTree::step_cost(const CellId from, const CellId to) const {
-  const double cost = nodes_[to].cost;
-  if (doubtful_.empty() || !doubtful_.contains(link_key(from, to))) return cost;
-  return cost + kBarrier;
+  if (doubtful_.empty() || !doubtful_.contains(link_key(from, to))) return cost(to);
+  return cost(to) + kBarrier;
 }
 
 void DistanceTree::place(const CellId cell, const double distance, const CellId predecessor) {
@@ -75,25 +71,26 @@ void DistanceTree::before_split(const CellId cell) {
   nodes_[cell] = Node{};
 }
 
-void DistanceTree::after_split(const CellId cell, const CellId root) {
-  add_nodes();
+void DistanceTree::after_split(const CellId lower, const CellId upper, const CellId root) {
   root_ = root;
-  const CellId first = subdivision_.cell(cell).children;
+  nodes_.resize(subdivision_.size());
+  refresh(lower);
+  refresh(upper);
   if (!parent_reached_) {
-    raised_.insert(raised_.end(), {first, first + 1});
+    raised_.insert(raised_.end(), {lower, upper});
     return;
   }
   // At once, so that the parent's successors can stay where they are; the sibling may follow.
-  CellId nearer = cheapest_step(first).key <= cheapest_step(first + 1).key ? first : first + 1;
-  if (root_ == first || root_ == first + 1) nearer = root_;
-  for (const CellId child : {nearer, 2 * first + 1 - nearer}) {
-    const Step step = cheapest_step(child);
-    if (step.key < kUnreached) place(child, step.key, step.from);
+  bool lower_first = cheapest_step(lower).key <= cheapest_step(upper).key;
+  if (root == lower || root == upper) lower_first = root == lower;
+  for (const CellId half : {lower_first ? lower : upper, lower_first ? upper : lower}) {
+    const Step step = cheapest_step(half);
+    if (step.key < kUnreached) place(half, step.key, step.from);
   }
 }
 
 void DistanceTree::on_exhausted(const CellId cell) {
-  nodes_[cell].cost = kBarrier;
+  nodes_[cell].cost = static_cast<float>(kBarrier);
   orphan(cell);
 }
 
@@ -124,7 +121,7 @@ void DistanceTree::mend() {
   while (!orphans_.empty()) {
     const Step lost = orphans_.top();
     orphans_.pop();
-    if (nodes_[lost.cell].distance != kUnreached || !nodes_[lost.cell].live) continue;
+    if (nodes_[lost.cell].distance != kUnreached || nodes_[lost.cell].cost < 0.0F) continue;
     ++statistics_.search_expansions;
     if (lost.cell != root_ && adopt(lost.cell, lost.key)) continue;
     orphan_successors(lost.cell);
@@ -139,7 +136,7 @@ void DistanceTree::mend() {
 // The cheapest way into a leaf from a reached neighbour; key kUnreached if there is none.
 DistanceTree::Step DistanceTree::cheapest_step(const CellId cell) const {
   Step best{kUnreached, cell, kNoCell};
-  if (!nodes_[cell].live) return best;
+  if (nodes_[cell].cost < 0.0F) return best;
   if (cell == root_) return {0.0, cell, kNoCell};
   for (const CellId next : subdivision_.cell(cell).neighbours) {
     if (nodes_[next].distance == kUnreached) continue;
@@ -157,24 +154,26 @@ void DistanceTree::offer(const CellId cell) {
   if (step.key < kUnreached) open_.push(step);
 }
 
+// Is the step's way in still as good as its key says? Ids are used again, so adjacency is checked.
+bool DistanceTree::holds(const Step& step) const {
+  if (step.from == kNoCell) return step.cell == root_;
+  const std::vector<CellId>& neighbours = subdivision_.cell(step.cell).neighbours;
+  return std::find(neighbours.begin(), neighbours.end(), step.from) != neighbours.end() &&
+         nodes_[step.from].distance + step_cost(step.from, step.cell) <= step.key;
+}
+
 double DistanceTree::next_key() {
   while (!open_.empty()) {
     const Step step = open_.top();
-    const Node& node = nodes_[step.cell];
-    if (node.live && step.key == node.queued && step.key < node.distance) {
-      if (step.from == kNoCell) return step.key;
-      const Node& from = nodes_[step.from];
-      if (from.live && from.distance < kUnreached &&
-          from.distance + step_cost(step.from, step.cell) <= step.key)
-        return step.key;
-      open_.pop();
-      if (node.distance == kUnreached)
-        offer(step.cell);
-      else
-        nodes_[step.cell].queued = node.distance;
-      continue;
-    }
+    Node& node = nodes_[step.cell];
+    const bool wanted = step.key == node.queued && step.key < node.distance && node.cost >= 0.0F;
+    if (wanted && holds(step)) return step.key;
     open_.pop();
+    if (!wanted) continue;
+    if (node.distance == kUnreached)
+      offer(step.cell);
+    else
+      node.queued = node.distance;
   }
   return kUnreached;
 }

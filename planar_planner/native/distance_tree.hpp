@@ -33,9 +33,10 @@ class DistanceTree {
 
   void reset(CellId root);
 
-  // A leaf is about to be split, and has been; `root` is the root's leaf afterwards.
+  // A leaf is about to be split, and has been: its lower half keeps its id, `upper` is new; `root` is
+  // the root's leaf afterwards.
   void before_split(CellId cell);
-  void after_split(CellId cell, CellId root);
+  void after_split(CellId lower, CellId upper, CellId root);
   // Other changes of the graph, told after they happened.
   void on_exhausted(CellId cell);
   void on_link_lost(CellId a, CellId b);
@@ -48,7 +49,8 @@ class DistanceTree {
 
   [[nodiscard]] bool reached(CellId cell) const { return nodes_[cell].distance < kUnreached; }
   [[nodiscard]] double distance(CellId cell) const { return nodes_[cell].distance; }
-  [[nodiscard]] double cost(CellId cell) const { return nodes_[cell].cost; }
+  [[nodiscard]] double cost(CellId cell) const { return static_cast<double>(nodes_[cell].cost); }
+  // kNoCell at the root.
   [[nodiscard]] CellId predecessor(CellId cell) const { return nodes_[cell].predecessor; }
   [[nodiscard]] CellId root() const { return root_; }
   [[nodiscard]] std::size_t bytes() const;
@@ -60,9 +62,8 @@ class DistanceTree {
   struct Node {
     double distance = kUnreached;  // including the cell's own cost
     double queued = kUnreached;    // least valid key in open_
-    double cost = 0.0;             // of stepping into the cell
+    float cost = 0.0F;             // of stepping into the cell; negative: FULL
     CellId predecessor = kNoCell;
-    bool live = false;  // a leaf that is not FULL
   };
   struct Step {
     double key;
@@ -73,12 +74,13 @@ class DistanceTree {
     }
   };
 
-  void add_nodes();
+  void refresh(CellId cell);
   [[nodiscard]] double step_cost(CellId from, CellId to) const;
   void orphan(CellId cell);
   void orphan_successors(CellId cell);
   bool adopt(CellId cell, double old_distance);
   [[nodiscard]] Step cheapest_step(CellId cell) const;
+  [[nodiscard]] bool holds(const Step& step) const;
   void offer(CellId cell);
   void settle(const Step& step);
   void place(CellId cell, double distance, CellId predecessor);

@@ -33,6 +33,11 @@ Link FaceTest::test(const CellId a, const CellId b) {
   return link;
 }
 
+void FaceTest::forget(const CellId cell) {
+  if (!subdivision_.cell(cell).solid()) return;
+  for (const CellId next : subdivision_.cell(cell).neighbours) open_.erase(link_key(cell, next));
+}
+
 Link FaceTest::test_face(const CellId a, const CellId b) {
   const Stopwatch watch(statistics_.seconds.faces);
   ++statistics_.faces_tested;

@@ -37,6 +37,8 @@ class FaceTest {
 
   // Both cells are solid leaves that share a face. Open links are remembered.
   Link test(CellId a, CellId b);
+  // A cell is about to be split: its links go.
+  void forget(CellId cell);
 
  private:
   Link test_face(CellId a, CellId b);

@@ -21,13 +21,13 @@ enum class Label : std::uint8_t {
 };
 
 struct Witness {
-  std::uint32_t obstacle = 0;  // piece of the obstacle tree
-  std::uint16_t robot = 0;     // piece of the robot
+  std::uint32_t obstacle;  // piece of the obstacle tree
+  std::uint16_t robot;     // piece of the robot
 };
 
 struct LabelResult {
   Label label = Label::kMixed;
-  Witness witness;          // kFull
+  Witness witness{};        // kFull
   double clearance = 0.0;   // lower bound over the pairs dropped here (planner units)
   double separation = 0.0;  // kMixed: estimate at the centre, least over pairs; a hint, no bound
   double turning_radius = 0.0;  // kMixed: largest radius of the robot pieces still active

@@ -81,12 +81,13 @@ void Refinement::split(const CellId cell) {
     const Stopwatch watch(statistics_.seconds.search);
     search_.before_split(cell);
   }
-  subdivision_.split(cell);
+  faces_.forget(cell);
+  const CellId upper = subdivision_.split(cell);
   const Stopwatch watch(statistics_.seconds.search);
   const auto moved = [&](const CellId end, const std::array<std::uint64_t, 3>& point) {
     return end == cell ? subdivision_.locate(point) : end;
   };
-  search_.after_split(cell, moved(search_.start(), start_point_),
+  search_.after_split(cell, upper, moved(search_.start(), start_point_),
                       moved(search_.goal(), goal_point_));
 }
 
@@ -167,7 +168,7 @@ bool Refinement::stop() {
     return true;
   };
   statistics_.memory_bytes = subdivision_.bytes() + search_.bytes();
-  if (subdivision_.leaves() >= limits.max_cells) return reached("cell limit reached");
+  if (subdivision_.size() >= limits.max_cells) return reached("cell limit reached");
   if (statistics_.memory_bytes >= limits.max_memory) return reached("memory limit reached");
   const double elapsed = query_.elapsed();
   if (elapsed >= limits.timeout) return reached("time limit reached");
@@ -176,7 +177,7 @@ bool Refinement::stop() {
   Answer census;
   take_census(subdivision_, census);
   const auto& n = census.cells_by_label;
-  const Progress progress{elapsed, subdivision_.leaves(), n[0], n[1], n[2], n[3],
+  const Progress progress{elapsed, subdivision_.size(), n[0], n[1], n[2], n[3],
                           statistics_.channel_length, statistics_.search_rounds};
   return query_.listener(progress) ? false : reached("interrupted");
 }
@@ -198,7 +199,6 @@ void take_census(const Subdivision& subdivision, Answer& answer) {
   answer.cells_by_level.clear();
   for (CellId id = 0; id < subdivision.size(); ++id) {
     const Cell& cell = subdivision.cell(id);
-    if (!cell.leaf()) continue;
     ++answer.cells_by_label[static_cast<std::size_t>(cell.label)];
     const std::size_t level = std::size_t{cell.box.level[0]} + cell.box.level[1] + cell.box.level[2];
     if (answer.cells_by_level.size() <= level) answer.cells_by_level.resize(level + 1);

@@ -23,27 +23,29 @@ constexpr std::uint64_t link_key(const CellId a, const CellId b) {
   return (std::uint64_t{a < b ? a : b} << 32) | (a < b ? b : a);
 }
 
+// A leaf. Ids are stable until the leaf is split; its lower half then keeps the id.
 struct Cell {
   CellBox box;
   Label label = Label::kMixed;
-  bool exhausted = false;         // MIXED or doubtful at the resolution limit: never split again
-  CellId children = 0;            // first of two; 0 for a leaf
-  float separation = 0.0F;        // hint of the labelling, over the motion radius
-  float size = 0.0F;              // motion radius over the robot's reach
-  float cost = 0.0F;              // of crossing it (channel.hpp)
-  float turning_radius = 0.0F;    // of the robot pieces still active
-  std::uint32_t guard = 0;        // kStar: index of the guard
-  ConstraintStore::Handle list;   // kMixed, kStar
-  Witness witness;                // kFull by one pair
-  bool joint = false;             // kFull by several pairs together (joint.hpp)
-  std::vector<CellId> neighbours; // leaves that are not FULL, sharing a face of positive area
+  bool exhausted = false;  // at the resolution limit: never split again
+  bool joint = false;      // kFull by several pairs together (joint.hpp), not by `witness`
+  float size = 0.0F;       // motion radius over the robot's reach
+  float cost = 0.0F;       // of crossing it, for a channel
+  std::uint32_t guard = 0;     // kStar: index of the guard
+  std::uint32_t branch = 0;    // whose half it is, times two, plus one if upper
+  union {
+    ConstraintStore::Handle list{};  // kMixed, kStar: what it leaves undecided
+    Witness witness;                 // kFull
+  };
+  std::vector<CellId> neighbours;  // leaves that are not FULL, sharing a face of positive area
 
-  [[nodiscard]] bool leaf() const { return children == 0; }
   [[nodiscard]] bool solid() const { return label == Label::kFree || label == Label::kStar; }
 };
 
-// What crossing a leaf that is not FULL costs a channel: a guess of the work it takes to resolve it.
-double crossing_cost(const Cell& cell);
+// What crossing a leaf costs a channel: a guess of the work it takes to resolve it. `relative_size`
+// is its motion radius over the robot's reach, `separation` the labelling's hint over the motion
+// radius.
+double crossing_cost(Label label, double relative_size, double separation);
 
 class Subdivision {
  public:
@@ -51,8 +53,8 @@ class Subdivision {
   Subdivision(const CellSpace& space, Labeller& labeller, Statistics& statistics);
 
   [[nodiscard]] const CellSpace& space() const { return space_; }
+  // Number of leaves; ids are 0 .. size() - 1.
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
-  [[nodiscard]] std::size_t leaves() const { return cells_.size() - inner_; }
   [[nodiscard]] const Cell& cell(CellId id) const { return cells_[id]; }
   [[nodiscard]] Vec2 guard(CellId id) const { return guards_[cells_[id].guard]; }
   [[nodiscard]] std::uint64_t guard_turns(CellId id) const;
@@ -65,15 +67,27 @@ class Subdivision {
   // Can the cell still be halved above `resolution` (smallest motion radius, planner units)?
   [[nodiscard]] bool divisible(CellId id, double resolution) const;
   // Halves a leaf along the axis that moves the robot most, labels the halves, mends the
-  // neighbour lists. Returns the first of the two consecutive children.
+  // neighbour lists. The lower half keeps the id; the upper half's is returned.
   CellId split(CellId id);
   void mark_exhausted(CellId id) { cells_[id].exhausted = true; }
   void disconnect(CellId a, CellId b);
 
  private:
-  CellId add_cell(const CellBox& box, const ConstraintView& parent);
-  void adopt_neighbours(CellId parent, CellId first_child);
-  [[nodiscard]] int widest_axis(const Cell& cell) const;
+  // An inner node of the kd-tree: its halves are leaves (kLeaf set) or branches.
+  struct Branch {
+    std::uint32_t lower, upper;
+    int axis;
+  };
+  static constexpr std::uint32_t kLeaf = std::uint32_t{1} << 31;
+  static constexpr std::uint32_t kRoot = std::uint32_t{1} << 31;  // Cell::branch of a root
+
+  [[nodiscard]] std::uint8_t root_level() const;
+
+  Cell make_cell(const CellBox& box, const ConstraintView& parent);
+  void adopt_neighbours(CellId lower, CellId upper, const std::vector<CellId>& old);
+  void link(CellId a, CellId b);
+  [[nodiscard]] double turning_radius(const ConstraintView& list) const;
+  [[nodiscard]] int widest_axis(CellId id) const;
 
   CellSpace space_;
   Labeller& labeller_;
@@ -81,10 +95,11 @@ class Subdivision {
   StarTest star_;
   JointTest joint_;
   std::vector<Cell> cells_;
+  std::vector<Branch> branches_;
+  std::vector<std::uint32_t> roots_;  // leaves (kLeaf set) or branches
   std::vector<Vec2> guards_;
   ConstraintStore store_;
   ConstraintList parent_list_, child_list_;
-  std::size_t inner_ = 0;
   std::size_t neighbour_bytes_ = 0;
 };
 
