@@ -13,8 +13,8 @@ double tune(const char* name, double value) {
   return s ? std::atof(s) : value;
 }
 const double kSolid = tune("T_SOLID", 0.02);
-const double kPos0 = tune("T_POS0", .5), kPos1 = tune("T_POS1", 3.0), kNeg0 = tune("T_NEG0", 1.0), kNeg1 = tune("T_NEG1", 3.0);
-const double kSize = tune("T_SIZE", 1.5);
+const double kPos0 = tune("T_POS0", 1.0), kPos1 = tune("T_POS1", 3.0), kNeg0 = tune("T_NEG0", 2.0), kNeg1 = tune("T_NEG1", 3.0);
+const double kSize = tune("T_SIZE", 1.25);
 
 }  // namespace
 
@@ -31,9 +31,15 @@ std::size_t ChannelSearch::bytes() const {
 
 void ChannelSearch::reset(const CellId start, const CellId goal) {
   doubtful_.clear();
-  meetings_ = {};
   from_start_.reset(start);
   from_goal_.reset(goal);
+  meetings_ = {};
+}
+
+void ChannelSearch::rebuild() {
+  from_start_.reset(start());
+  from_goal_.reset(goal());
+  meetings_ = {};
 }
 
 void ChannelSearch::before_split(const CellId cell) {

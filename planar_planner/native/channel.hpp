@@ -26,6 +26,8 @@ class ChannelSearch {
 
   // Starts anew between two leaves.
   void reset(CellId start, CellId goal);
+  // Builds both trees from scratch on the present graph.
+  void rebuild();
 
   // A leaf is about to be split, and has been: its lower half keeps its id; `start` and `goal` are
   // the leaves that hold the ends afterwards.

@@ -11,7 +11,7 @@ double tune(const char* name, double value) {
   const char* s = std::getenv(name);
   return s ? std::atof(s) : value;
 }
-const double kSlackDown = tune("T_SLACK", 0.3);
+const double kSlackDown = tune("T_SLACK", 0.6);
 const double kSlackUp = tune("T_DOWN", 0.3);
 
 // More than any channel without exhausted cells and doubtful links can cost.
@@ -85,7 +85,10 @@ void DistanceTree::after_split(const CellId lower, const CellId upper, const Cel
   if (root == lower || root == upper) lower_first = root == lower;
   for (const CellId half : {lower_first ? lower : upper, lower_first ? upper : lower}) {
     const Step step = cheapest_step(half);
-    if (step.key < kUnreached) place(half, step.key, step.from);
+    if (step.key < kUnreached)
+      place(half, step.key, step.from);
+    else
+      raised_.push_back(half);  // its neighbours may be orphans that are adopted later
   }
 }
 

@@ -73,17 +73,16 @@ void shorten(const Problem& problem, SegmentTest& test, std::vector<Configuratio
 PathReport report_path(const Problem& problem, SegmentTest& test,
                        std::vector<Configuration> waypoints) {
   PathReport report;
-  double clearance = INFINITY;
+  ClearanceBounds clearance;
   for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
     const Configuration& a = waypoints[i];
     const Configuration& b = waypoints[i + 1];
     report.length += std::hypot(b.x - a.x, b.y - a.y);
     report.turning += std::abs(b.theta - a.theta);
-    clearance = std::min(clearance, test.least_clearance(pose_of(problem, a), pose_of(problem, b),
-                                                         clearance, kClearanceTolerance,
-                                                         kClearanceIntervals));
+    test.bound_clearance(pose_of(problem, a), pose_of(problem, b), kClearanceTolerance,
+                         kClearanceIntervals, clearance);
   }
-  report.least_clearance = length_to_user(problem, clearance);
+  report.least_clearance = length_to_user(problem, clearance.lower);
   report.waypoints = std::move(waypoints);
   return report;
 }

@@ -85,13 +85,13 @@ class DepthSearch {
   Deepest deepest_;
 };
 
+}  // namespace
+
 double outside_bounds(const Problem& problem, const Configuration& q) {
   if (!problem.reference_bounds) return 0.0;
   const Rectangle& r = *problem.reference_bounds;
   return std::max({r.low.x - q.x, q.x - r.high.x, r.low.y - q.y, q.y - r.high.y, 0.0});
 }
-
-}  // namespace
 
 Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
                 const Configuration& q) {

@@ -29,6 +29,9 @@ struct Placement {
   double clearance = 0.0;  // kFree: certified lower bound, user's units
 };
 
+// How far the reference point is out of its bounds, user's units; 0 inside.
+double outside_bounds(const Problem& problem, const Configuration& q);
+
 Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
                 const Configuration& q);
 

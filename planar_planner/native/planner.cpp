@@ -46,8 +46,14 @@ bool Planner::ends_not_free(Query& query) {
         continue;
       }
     }
-    if (p.state == PlacementState::kContact) continue;  // the search may still prove "no path"
-    query.conclude(Verdict::kNoPath, "the " + name + " is not free", name);
+    // Where rounding cannot tell touching from penetration, neither a path nor its absence can be
+    // certified from here.
+    if (p.state == PlacementState::kContact)
+      query.conclude(Verdict::kUndecided,
+                     "the " + name + " touches " + (p.wall ? "the workspace" : "an obstacle") +
+                         ": allow it to be moved off by a contact tolerance");
+    else
+      query.conclude(Verdict::kNoPath, "the " + name + " is not free", name);
     return true;
   }
   return false;
@@ -144,6 +150,13 @@ Placement Planner::placement(const Configuration& q) {
 
 PathCheck Planner::check_path(std::vector<Configuration> path) {
   PathCheck check;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool turns = !problem_.rotation && path[i].theta != path[0].theta;
+    const bool alone = path.size() == 1 && !segments_->is_free(pose_of(problem_, path[i]));
+    if (outside_bounds(problem_, path[i]) == 0.0 && !turns && !alone) continue;
+    check.bad_segment = i == 0 ? 0 : static_cast<std::int64_t>(i) - 1;
+    return check;
+  }
   const Terminator never = [] { return false; };
   const auto bad = first_uncertified(problem_, *segments_, path, never);
   if (bad) check.bad_segment = static_cast<std::int64_t>(*bad);

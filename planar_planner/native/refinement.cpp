@@ -35,6 +35,7 @@ Refinement::Refinement(const Problem& problem, Subdivision& subdivision, FaceTes
       search_(subdivision, statistics) {}
 
 void Refinement::run() {
+  subdivision_.clear_exhausted();
   search_.reset(subdivision_.locate(start_point_), subdivision_.locate(goal_point_));
   std::vector<CellId> channel;
   while (!stop()) {
@@ -48,8 +49,13 @@ void Refinement::run() {
       return query_.conclude(Verdict::kNoPath,
                              "cells and faces proven to lie in C-obstacle separate start from goal",
                              "separation");
-    if (search_.passes_barrier(channel))
-      return query_.conclude(Verdict::kUndecided, "resolution reached");
+    if (search_.passes_barrier(channel)) {
+      // Mended distances are not exact: only a search from scratch can say that every channel does.
+      search_.rebuild();
+      search_.find(channel);
+      if (search_.passes_barrier(channel))
+        return query_.conclude(Verdict::kUndecided, "resolution reached");
+    }
     statistics_.channel_length = channel.size();
     if (split_mixed(channel)) continue;
     if (!link(channel)) continue;
@@ -189,7 +195,8 @@ std::array<std::uint64_t, 3> Refinement::dyadic(const Configuration& q) const {
     const double clamped = std::clamp(fraction, 0.0, 1.0);
     return std::min(static_cast<std::uint64_t>(std::ldexp(clamped, kCoordinateBits)), kUnit - 1);
   };
-  const double turn = q.theta / (2.0 * std::numbers::pi);
+  // The library's reduction keeps a few u of a turn whatever theta's magnitude.
+  const double turn = std::atan2(std::sin(q.theta), std::cos(q.theta)) / (2.0 * std::numbers::pi);
   return {count((t.x - d.low.x) / d.size.x), count((t.y - d.low.y) / d.size.y),
           problem_.rotation ? count(turn - std::floor(turn)) : 0};
 }

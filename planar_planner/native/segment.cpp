@@ -5,6 +5,7 @@
 #include <numbers>
 #include <queue>
 
+#include "pdg/native/tolerances.hpp"
 #include "star.hpp"
 
 namespace planner {
@@ -33,7 +34,8 @@ pdg::Motion SegmentTest::motion_along(const Pose& from, const Pose& to, const In
   m.half_angle = std::abs(m.turn);
   m.cos_half = std::cos(m.half_angle);
   m.sin_half = std::sin(m.half_angle);
-  m.reach = problem_.domain.reach;
+  m.reach = std::max(problem_.domain.reach,
+                     std::max(pdg::norm(from.t), pdg::norm(to.t)) * pdg::kRadiusPadding);
   // theta is rounded once at its own magnitude, here and when the pose was made.
   m.angle_factor = 1.0 + std::max(std::abs(from.theta), std::abs(to.theta));
   return m;
@@ -87,8 +89,8 @@ double SegmentTest::clearance_of(const Pose& from, const Pose& to, const Interva
   return result.label == Label::kFree ? result.clearance : 0.0;
 }
 
-double SegmentTest::least_clearance(const Pose& from, const Pose& to, const double cap,
-                                    const double tolerance, int intervals) {
+void SegmentTest::bound_clearance(const Pose& from, const Pose& to, const double tolerance,
+                                  int intervals, ClearanceBounds& clearance) {
   struct Open {
     double bound;
     Interval interval;
@@ -97,16 +99,15 @@ double SegmentTest::least_clearance(const Pose& from, const Pose& to, const doub
   if (lists_.size() < kDepth + 2) lists_.resize(kDepth + 2);
   std::priority_queue<Open> open;
   open.push({clearance_of(from, to, {0.0, 1.0}), {0.0, 1.0}});
-  double upper = cap;  // no point of the segment decides below this
-  while (open.top().bound < (1.0 - tolerance) * upper && intervals-- > 0) {
+  while (open.top().bound < (1.0 - tolerance) * clearance.upper && intervals-- > 0) {
     const Interval i = open.top().interval;
     open.pop();
     const double middle = 0.5 * (i.begin + i.end);
-    upper = std::min(upper, clearance_of(from, to, {middle, middle}));
+    clearance.upper = std::min(clearance.upper, clearance_of(from, to, {middle, middle}));
     for (const Interval half : {Interval{i.begin, middle}, Interval{middle, i.end}})
       open.push({clearance_of(from, to, half), half});
   }
-  return std::min(open.top().bound, cap);
+  clearance.lower = std::min(clearance.lower, open.top().bound);
 }
 
 }  // namespace planner

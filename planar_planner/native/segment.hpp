@@ -2,6 +2,7 @@
 // sub-interval is FREE by the same labelling as cells, never sampled.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,12 @@
 #include "problem.hpp"
 
 namespace planner {
+
+// Of the separation along the axes: a lower bound of the Euclidean clearance. Planner units.
+struct ClearanceBounds {
+  double lower = std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+};
 
 class SegmentTest {
  public:
@@ -20,10 +27,11 @@ class SegmentTest {
   // real poses that these doubles were rounded from. False: collides, or needs too many intervals.
   bool certify(const Pose& from, const Pose& to);
 
-  // Certified lower bound of the clearance along a certified segment, within the factor
-  // 1 - tolerance of the separation-axis clearance unless `intervals` run out; cut off at `cap`.
-  double least_clearance(const Pose& from, const Pose& to, double cap, double tolerance,
-                         int intervals);
+  // Lowers `clearance` to hold along a certified segment too. `lower` stays a certified bound of the
+  // clearance, within the factor 1 - tolerance of `upper`, the least value found at any point, unless
+  // `intervals` run out.
+  void bound_clearance(const Pose& from, const Pose& to, double tolerance, int intervals,
+                       ClearanceBounds& clearance);
 
   // Is this single configuration free?
   bool is_free(const Pose& pose);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace planner {
 
@@ -16,6 +17,15 @@ void erase_value(std::vector<CellId>& list, const CellId value) {
   if (at == list.end()) return;
   *at = list.back();
   list.pop_back();
+}
+
+// Does the half of a box that was split along `axis` still share a face with a neighbour of the whole?
+// The other axes have not changed.
+bool still_adjacent(const CellBox& half, const CellBox& neighbour, const int axis) {
+  if (half.low[axis] < neighbour.high(axis) && neighbour.low[axis] < half.high(axis)) return true;
+  // Not beside the half: either beside the other half, or the face is an end of the split axis.
+  int face = 0;
+  return adjacent(half, neighbour, face);
 }
 
 }  // namespace
@@ -158,7 +168,7 @@ CellId Subdivision::split(const CellId id) {
   cells_.push_back(make_cell(halves.upper, view(parent_list_)));
   cells_[id].branch = 2 * branch;
   cells_[upper].branch = 2 * branch + 1;
-  adopt_neighbours(id, upper, old);
+  adopt_neighbours(id, upper, axis, old);
   return upper;
 }
 
@@ -171,17 +181,27 @@ void Subdivision::link(const CellId a, const CellId b) {
   }
 }
 
-void Subdivision::adopt_neighbours(const CellId lower, const CellId upper,
+void Subdivision::adopt_neighbours(const CellId lower, const CellId upper, const int axis,
                                    const std::vector<CellId>& old) {
   for (const CellId half : {lower, upper}) {
     if (cells_[half].label == Label::kFull) continue;
-    for (const CellId neighbour : old) {
-      int axis = 0;
-      if (adjacent(cells_[half].box, cells_[neighbour].box, axis)) link(half, neighbour);
-    }
+    cells_[half].neighbours.reserve(old.size() + 1);
+    neighbour_bytes_ += cells_[half].neighbours.capacity() * sizeof(CellId);
+    for (const CellId neighbour : old)
+      if (still_adjacent(cells_[half].box, cells_[neighbour].box, axis)) link(half, neighbour);
   }
   if (cells_[lower].label != Label::kFull && cells_[upper].label != Label::kFull)
     link(lower, upper);
+}
+
+void Subdivision::mark_exhausted(const CellId id) {
+  cells_[id].exhausted = true;
+  any_exhausted_ = true;
+}
+
+void Subdivision::clear_exhausted() {
+  if (!std::exchange(any_exhausted_, false)) return;
+  for (Cell& cell : cells_) cell.exhausted = false;
 }
 
 void Subdivision::disconnect(const CellId a, const CellId b) {

@@ -69,7 +69,9 @@ class Subdivision {
   // Halves a leaf along the axis that moves the robot most, labels the halves, mends the
   // neighbour lists. The lower half keeps the id; the upper half's is returned.
   CellId split(CellId id);
-  void mark_exhausted(CellId id) { cells_[id].exhausted = true; }
+  // The resolution limit belongs to a query: clear before the next one.
+  void mark_exhausted(CellId id);
+  void clear_exhausted();
   void disconnect(CellId a, CellId b);
 
  private:
@@ -84,7 +86,7 @@ class Subdivision {
   [[nodiscard]] std::uint8_t root_level() const;
 
   Cell make_cell(const CellBox& box, const ConstraintView& parent);
-  void adopt_neighbours(CellId lower, CellId upper, const std::vector<CellId>& old);
+  void adopt_neighbours(CellId lower, CellId upper, int axis, const std::vector<CellId>& old);
   void link(CellId a, CellId b);
   [[nodiscard]] double turning_radius(const ConstraintView& list) const;
   [[nodiscard]] int widest_axis(CellId id) const;
@@ -101,6 +103,7 @@ class Subdivision {
   ConstraintStore store_;
   ConstraintList parent_list_, child_list_;
   std::size_t neighbour_bytes_ = 0;
+  bool any_exhausted_ = false;
 };
 
 }  // namespace planner
