@@ -1,0 +1,118 @@
+"""Counts of work that do not depend on the machine, for every shipped scene.
+
+``python bench/counts.py`` compares them with those on record, ``--check`` fails if a verdict is
+another or a count is off by more than the slack, ``--update`` puts them on record.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+import provenance
+
+from planar_planner import load_scene, solve
+from planar_planner.builtin import manifest
+
+RECORD = Path(__file__).with_name("counts.json")
+FORMAT = "planar-planner/counts"
+COUNTS = {  # statistic and its heading
+    "cells": "cells",
+    "labelled_cells": "labelled",
+    "separation_evaluations": "separations",
+}
+# Allowed in either direction. Counts repeat exactly on one machine; another C library may round a
+# sine otherwise and so change a few cells.
+SLACK = 0.10
+LEAST = 20  # a count may always differ by so much: 10 % of a few cells is no difference
+
+
+def counted() -> dict[str, dict[str, Any]]:
+    """Solve every shipped scene."""
+    found: dict[str, dict[str, Any]] = {}
+    for name in manifest():
+        result = solve(load_scene(name))
+        counts = {key: int(result.stats[key]) for key in COUNTS}
+        found[name] = {"verdict": result.verdict, **counts}
+    return found
+
+
+def recorded() -> dict[str, dict[str, Any]]:
+    """Return what is on record; nothing if there is no record yet."""
+    if not RECORD.is_file():
+        return {}
+    content = json.loads(RECORD.read_text(encoding="utf-8"))
+    if content.get("format") != FORMAT:
+        raise SystemExit(f"{RECORD}: is not a {FORMAT}")
+    scenes: dict[str, dict[str, Any]] = content["scenes"]
+    return scenes
+
+
+def differs(old: int, new: int) -> bool:
+    """Whether a count has changed by more than is allowed."""
+    return abs(new - old) > max(SLACK * old, LEAST)
+
+
+def compared(old: dict[str, Any] | None, new: dict[str, Any] | None) -> tuple[str, bool]:
+    """Return the columns of one scene, and whether something differs by more than is allowed."""
+    if old is None or new is None:
+        return "not on record" if old is None else "no longer shipped", True
+    bad = old["verdict"] != new["verdict"]
+    verdict = new["verdict"] if not bad else f"{old['verdict']} -> {new['verdict']} !"
+    columns = [f"{verdict:<10}"]
+    for key in COUNTS:
+        change = f"{100.0 * (new[key] - old[key]) / max(old[key], 1):+.1f} %"
+        mark = " !" if differs(old[key], new[key]) else "  "
+        bad = bad or differs(old[key], new[key])
+        columns.append(f"{new[key]:>11,} {'' if new[key] == old[key] else change:>9}{mark}")
+    return " ".join(columns), bad
+
+
+def print_comparison(old: dict[str, dict[str, Any]], new: dict[str, dict[str, Any]]) -> list[str]:
+    """Print a line a scene; return the scenes that differ by more than is allowed."""
+    headings = " ".join(f"{heading:>11} {'change':>9}  " for heading in COUNTS.values())
+    print(f"{'scene':<18} {'verdict':<10} {headings}")
+    bad = []
+    for name in [*new, *(name for name in old if name not in new)]:
+        columns, differing = compared(old.get(name), new.get(name))
+        print(f"{name:<18} {columns}")
+        if differing:
+            bad.append(name)
+    return bad
+
+
+def update(new: dict[str, dict[str, Any]]) -> None:
+    """Put the counts on record, a scene a line."""
+    scenes = ",\n".join(f'    "{name}": {json.dumps(counts)}' for name, counts in new.items())
+    RECORD.write_text(
+        f'{{\n  "format": "{FORMAT}",\n  "scenes": {{\n{scenes}\n  }}\n}}\n', encoding="utf-8"
+    )
+
+
+def main() -> int:
+    """Compare, and check or update if asked."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    what = parser.add_mutually_exclusive_group()
+    what.add_argument("--check", action="store_true", help="exit 1 if a scene differs")
+    what.add_argument("--update", action="store_true", help="put the counts on record")
+    arguments = parser.parse_args()
+    print(f"commit {provenance.provenance()['commit']}")
+    new = counted()
+    bad = print_comparison(recorded(), new)
+    if arguments.update:
+        update(new)
+        print(f"\nwritten: {RECORD}")
+    elif arguments.check and bad:
+        print(
+            f"\nmore than {100 * SLACK:.0f} % off, or another verdict: {', '.join(bad)}\n"
+            "If that is meant, say why in the commit: python bench/counts.py --update"
+        )
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
