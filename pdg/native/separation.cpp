@@ -230,7 +230,7 @@ PairVerdict judge_pair(const PosedPiece& a, const ConvexPiece& b, const Motion& 
     ++evaluations;
     if (c.count >= kQuickVertices && quick_high(a, b, motion, c) < -error) continue;
     const Range range = constraint_range(a, b, motion, error, c);
-    if (range.lo >= error) {
+    if (range.lo >= error + motion.margin) {
       remaining.resize(before);
       return {PairLabel::kApart, range.lo - error, 0.0};
     }

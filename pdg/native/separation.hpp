@@ -44,7 +44,8 @@ struct PosedPiece {
 };
 
 enum class PairLabel : std::uint8_t {
-  kApart,      // apart (or touching) in every configuration: some axis has lo >= error
+  kApart,      // apart by the motion's margin (0: or touching) in every configuration: some axis
+               // has lo >= margin + error
   kOverlap,    // overlapping in every configuration: every axis has hi < -error
   kUndecided,
 };

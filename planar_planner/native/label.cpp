@@ -114,7 +114,7 @@ bool Labeller::visit_node(Pass& pass, const std::uint32_t index) {
                                  std::max(std::abs(node.low.y), std::abs(node.high.y))));
   const double gap =
       distance_to_box(pass.motion, pass.extent, node.low, node.high) - robot_.reach - error;
-  if (gap >= 0.0) {
+  if (gap >= pass.motion.margin) {
     pass.result.clearance = std::min(pass.result.clearance, gap);
     return true;
   }
@@ -151,7 +151,7 @@ bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
   const double gap = circle_gap(pass.motion, pass.extent, between, a, b) -
                      pdg::separation_error(a, b, pass.motion);
   LabelResult& result = pass.result;
-  if (gap >= 0.0) {
+  if (gap >= pass.motion.margin) {
     result.clearance = std::min(result.clearance, gap);
     return true;
   }

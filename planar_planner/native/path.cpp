@@ -10,6 +10,10 @@ namespace {
 // Least clearance is reported to this relative accuracy, unless the number of intervals runs out.
 constexpr double kClearanceTolerance = 0.05;
 constexpr int kClearanceIntervals = 400;
+// While shortening, half of it is enough, and the part of it that a shortcut has to keep.
+constexpr double kRoughTolerance = 0.5;
+constexpr int kRoughIntervals = 20;
+constexpr double kKeptClearance = 0.5;
 
 }  // namespace
 
@@ -45,21 +49,28 @@ std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest
 
 void shorten(const Problem& problem, SegmentTest& test, std::vector<Configuration>& path,
              const Terminator& stop) {
+  ClearanceBounds clearance;
+  for (std::size_t i = 0; i + 1 < path.size() && !stop(); ++i)
+    test.bound_clearance(pose_of(problem, path[i]), pose_of(problem, path[i + 1]), kRoughTolerance,
+                         kRoughIntervals, clearance);
+  const double margin = kKeptClearance * clearance.lower;
+  const auto certified = [&](const std::size_t from, const std::size_t to) {
+    return test.certify(pose_of(problem, path[from]), pose_of(problem, path[to]), margin);
+  };
   std::vector<Configuration> kept{path.front()};
   std::size_t i = 0;
   while (i + 1 < path.size()) {
     // Reach as far as a doubling stride goes, then one bisection back.
     std::size_t good = i + 1;
     std::size_t stride = 2;
-    while (i + stride < path.size() && !stop() &&
-           test.certify(pose_of(problem, path[i]), pose_of(problem, path[i + stride]))) {
+    while (i + stride < path.size() && !stop() && certified(i, i + stride)) {
       good = i + stride;
       stride *= 2;
     }
     std::size_t bad = std::min(i + stride, path.size());
     while (bad - good > 1 && !stop()) {
       const std::size_t middle = good + (bad - good) / 2;
-      if (test.certify(pose_of(problem, path[i]), pose_of(problem, path[middle])))
+      if (certified(i, middle))
         good = middle;
       else
         bad = middle;

@@ -32,8 +32,8 @@ std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest
                                              const std::vector<Configuration>& path,
                                              const Terminator& stop);
 
-// Drops waypoints while every new segment is certified. Deterministic; never longer. A certified
-// path stays one when the terminator strikes.
+// Drops waypoints while every new segment is certified to keep half of the path's least clearance.
+// Deterministic; never longer. A certified path stays one when the terminator strikes.
 void shorten(const Problem& problem, SegmentTest& test, std::vector<Configuration>& path,
              const Terminator& stop);
 

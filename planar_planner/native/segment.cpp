@@ -49,7 +49,8 @@ bool SegmentTest::is_free(const Pose& pose) {
          Label::kFree;
 }
 
-bool SegmentTest::certify(const Pose& from, const Pose& to) {
+bool SegmentTest::certify(const Pose& from, const Pose& to, const double margin) {
+  margin_ = margin;
   ++statistics_.segments_tested;
   if (lists_.size() < kDepth + 2) lists_.resize(kDepth + 2);
   labeller_.root_list(lists_[0]);
@@ -61,7 +62,8 @@ bool SegmentTest::certify_interval(const Pose& from, const Pose& to, const Inter
                                    const ConstraintView& parent, const std::size_t depth) {
   if (depth > kDepth || --budget_ < 0) return false;
   const double middle = 0.5 * (interval.begin + interval.end);
-  const pdg::Motion motion = motion_along(from, to, interval);
+  pdg::Motion motion = motion_along(from, to, interval);
+  motion.margin = margin_;
   ConstraintView list = parent;
   if (motion.half_angle <= std::numbers::pi / 2) {
     const Pose centre = between(from, to, middle);
@@ -72,7 +74,7 @@ bool SegmentTest::certify_interval(const Pose& from, const Pose& to, const Inter
     list = view(lists_[depth]);
     const bool all_open = std::none_of(list.pairs.begin(), list.pairs.end(), closed);
     if (all_open && !planner::is_free(labeller_.robot(), labeller_.tree(), posed, motion.t,
-                                           motion.reach, list))
+                                           motion.reach, list, margin_))
       return false;
   }
   return certify_interval(from, to, {interval.begin, middle}, list, depth + 1) &&

@@ -25,7 +25,8 @@ class SegmentTest {
 
   // True: every configuration from one pose to the other is free, in exact arithmetic, also for the
   // real poses that these doubles were rounded from. False: collides, or needs too many intervals.
-  bool certify(const Pose& from, const Pose& to);
+  // With a margin: by at least that much, along the separating axes.
+  bool certify(const Pose& from, const Pose& to, double margin = 0.0);
 
   // Lowers `clearance` to hold along a certified segment too. `lower` stays a certified bound of the
   // clearance, within the factor 1 - tolerance of `upper`, the least value found at any point, unless
@@ -50,6 +51,7 @@ class SegmentTest {
   Statistics& statistics_;
   std::vector<ConstraintList> lists_;  // one per depth
   int budget_ = 0;
+  double margin_ = 0.0;
 };
 
 }  // namespace planner

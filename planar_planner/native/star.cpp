@@ -58,7 +58,7 @@ bool separates_at(const PosedPiece& a, const ConvexPiece& b, const Constraint& c
 }  // namespace
 
 bool is_free(const Robot& robot, const ObstacleTree& tree, const PosedRobot& posed, const Vec2 t,
-             const double reach, const ConstraintView& list) {
+             const double reach, const ConstraintView& list, const double margin) {
   Motion here;
   here.reach = reach;
   std::size_t at = 0;
@@ -66,7 +66,7 @@ bool is_free(const Robot& robot, const ObstacleTree& tree, const PosedRobot& pos
     if (closed(header)) return false;
     const PosedPiece a = posed_piece(robot, posed, header.robot);
     const ConvexPiece& b = tree.piece(header.obstacle);
-    const double error = pdg::separation_error(*a.piece, b, here);
+    const double error = pdg::separation_error(*a.piece, b, here) + margin;
     bool apart = false;
     for (std::size_t i = 0; i < header.count && !apart; ++i)
       apart = separates_at(a, b, list.constraints[at + i], t, error);

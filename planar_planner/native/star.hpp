@@ -53,8 +53,9 @@ class StarTest {
 };
 
 // The configuration (t, central rotation of `posed`) is free: every pair of `list` has an axis that
-// separates it by more than the rounding error. Complete for configurations inside the list's cell.
+// separates it by more than `margin` and the rounding error. Complete for configurations inside the
+// list's cell.
 bool is_free(const Robot& robot, const ObstacleTree& tree, const pdg::PosedRobot& posed, Vec2 t,
-             double reach, const ConstraintView& list);
+             double reach, const ConstraintView& list, double margin = 0.0);
 
 }  // namespace planner
