@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "nearby.hpp"
 #include "pdg/native/tolerances.hpp"
 
 namespace planner {
@@ -40,22 +41,6 @@ namespace {
 // Half-extents of the box that holds the translations.
 Vec2 box_extent(const Motion& m) {
   return {std::abs(m.g1.x) + std::abs(m.g2.x), std::abs(m.g1.y) + std::abs(m.g2.y)};
-}
-
-// Lower bound of the distance from the translations' box to a rectangle.
-double distance_to_box(const Motion& m, const Vec2 extent, const Vec2 low, const Vec2 high) {
-  const double dx = std::max({low.x - m.t.x, m.t.x - high.x, 0.0}) - extent.x;
-  const double dy = std::max({low.y - m.t.y, m.t.y - high.y, 0.0}) - extent.y;
-  return pdg::norm({std::max(dx, 0.0), std::max(dy, 0.0)});
-}
-
-// Lower bound of the distance between bounding circles over the motion.
-double circle_gap(const Motion& m, const Vec2 extent, const Vec2 between, const pdg::ConvexPiece& a,
-                  const pdg::ConvexPiece& b) {
-  const double dx = std::max(std::abs(between.x) - extent.x, 0.0);
-  const double dy = std::max(std::abs(between.y) - extent.y, 0.0);
-  // |R(theta + delta) c - R(theta) c| = 2 |c| sin(|delta| / 2) <= |c| |delta|
-  return pdg::norm({dx, dy}) - pdg::norm(a.centre) * m.half_angle - a.radius - b.radius;
 }
 
 // A pair stays closed while the motion is larger than its circles: such a cell is neither FULL nor
@@ -112,8 +97,7 @@ bool Labeller::visit_node(Pass& pass, const std::uint32_t index) {
                        (robot_.reach + pass.motion.reach +
                         std::max(std::max(std::abs(node.low.x), std::abs(node.high.x)),
                                  std::max(std::abs(node.low.y), std::abs(node.high.y))));
-  const double gap =
-      distance_to_box(pass.motion, pass.extent, node.low, node.high) - robot_.reach - error;
+  const double gap = distance_to_box(pass.motion, node.low, node.high) - robot_.reach - error;
   if (gap >= pass.motion.margin) {
     pass.result.clearance = std::min(pass.result.clearance, gap);
     return true;
@@ -148,7 +132,7 @@ bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
   const pdg::ConvexPiece& a = robot_.pieces[robot];
   const pdg::ConvexPiece& b = tree_.piece(obstacle);
   const Vec2 between = pass.motion.t + pdg::rotate(pass.posed.rotation, a.centre) - b.centre;
-  const double gap = circle_gap(pass.motion, pass.extent, between, a, b) -
+  const double gap = circle_distance(pass.motion, pass.posed.rotation, a, b) -
                      pdg::separation_error(a, b, pass.motion);
   LabelResult& result = pass.result;
   if (gap >= pass.motion.margin) {

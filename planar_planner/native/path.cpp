@@ -20,8 +20,10 @@ constexpr double kKeptClearance = 0.5;
 std::vector<Configuration> assemble_path(const Problem& problem, const Subdivision& subdivision,
                                          const std::vector<CellId>& channel,
                                          const std::vector<Connector>& links,
-                                         const Configuration& start, const Configuration& goal) {
+                                         const Configuration& start, const Configuration& goal,
+                                         std::vector<CellId>& owners) {
   std::vector<Configuration> path{start};
+  owners.clear();
   const bool turns = subdivision.space().rotation;
   // Within one cell theta spans a quarter turn, so the nearest representative is the right one.
   const auto append = [&](const Vec2 t, const std::uint64_t angle) {
@@ -33,6 +35,7 @@ std::vector<Configuration> assemble_path(const Problem& problem, const Subdivisi
     if (subdivision.cell(channel[i]).label == Label::kStar)
       append(subdivision.guard(channel[i]), subdivision.guard_turns(channel[i]));
     if (i < links.size()) append(links[i].t, links[i].turns);
+    owners.resize(i < links.size() ? path.size() - 1 : path.size(), channel[i]);
   }
   const double theta = turns ? nearest_turn(goal.theta, path.back().theta) : start.theta;
   path.push_back({goal.x, goal.y, theta});
@@ -47,12 +50,12 @@ std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest
   return std::nullopt;
 }
 
-void shorten(const Problem& problem, SegmentTest& test, std::vector<Configuration>& path,
+void shorten(const Problem& problem, ObstacleTree& tree, SegmentTest& test, std::vector<Configuration>& path,
              const Terminator& stop) {
   ClearanceBounds clearance;
   for (std::size_t i = 0; i + 1 < path.size() && !stop(); ++i)
-    test.bound_clearance(pose_of(problem, path[i]), pose_of(problem, path[i + 1]), kRoughTolerance,
-                         kRoughIntervals, clearance);
+    bound_clearance(problem, tree, pose_of(problem, path[i]), pose_of(problem, path[i + 1]),
+                    kRoughTolerance, kRoughIntervals, clearance);
   const double margin = kKeptClearance * clearance.lower;
   const auto certified = [&](const std::size_t from, const std::size_t to) {
     return test.certify(pose_of(problem, path[from]), pose_of(problem, path[to]), margin);
@@ -81,7 +84,7 @@ void shorten(const Problem& problem, SegmentTest& test, std::vector<Configuratio
   path = std::move(kept);
 }
 
-PathReport report_path(const Problem& problem, SegmentTest& test,
+PathReport report_path(const Problem& problem, ObstacleTree& tree,
                        std::vector<Configuration> waypoints) {
   PathReport report;
   ClearanceBounds clearance;
@@ -90,8 +93,8 @@ PathReport report_path(const Problem& problem, SegmentTest& test,
     const Configuration& b = waypoints[i + 1];
     report.length += std::hypot(b.x - a.x, b.y - a.y);
     report.turning += std::abs(b.theta - a.theta);
-    test.bound_clearance(pose_of(problem, a), pose_of(problem, b), kClearanceTolerance,
-                         kClearanceIntervals, clearance);
+    bound_clearance(problem, tree, pose_of(problem, a), pose_of(problem, b), kClearanceTolerance,
+                    kClearanceIntervals, clearance);
   }
   report.least_clearance = length_to_user(problem, clearance.lower);
   report.waypoints = std::move(waypoints);

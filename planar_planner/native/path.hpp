@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "clearance.hpp"
 #include "face.hpp"
 #include "limits.hpp"
 #include "problem.hpp"
@@ -21,11 +22,13 @@ struct PathReport {
   double least_clearance = 0.0;          // certified lower bound, user's units
 };
 
-// start -> guards and connectors -> goal. links[i] joins channel[i] and channel[i + 1].
+// start -> guards and connectors -> goal. links[i] joins channel[i] and channel[i + 1]; owners[k] is
+// the leaf that holds segment k.
 std::vector<Configuration> assemble_path(const Problem& problem, const Subdivision& subdivision,
                                          const std::vector<CellId>& channel,
                                          const std::vector<Connector>& links,
-                                         const Configuration& start, const Configuration& goal);
+                                         const Configuration& start, const Configuration& goal,
+                                         std::vector<CellId>& owners);
 
 // The first segment that cannot be certified (or before which the terminator struck), if any.
 std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest& test,
@@ -34,10 +37,10 @@ std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest
 
 // Drops waypoints while every new segment is certified to keep half of the path's least clearance.
 // Deterministic; never longer. A certified path stays one when the terminator strikes.
-void shorten(const Problem& problem, SegmentTest& test, std::vector<Configuration>& path,
+void shorten(const Problem& problem, ObstacleTree& tree, SegmentTest& test, std::vector<Configuration>& path,
              const Terminator& stop);
 
-PathReport report_path(const Problem& problem, SegmentTest& test,
+PathReport report_path(const Problem& problem, ObstacleTree& tree,
                        std::vector<Configuration> waypoints);
 
 }  // namespace planner

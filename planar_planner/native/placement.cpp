@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "nearby.hpp"
 #include "pdg/native/tolerances.hpp"
 #include "pdg/native/translational_depth.hpp"
 
@@ -15,6 +16,8 @@ namespace {
 // 4^-6 of the tolerance upwards.
 constexpr int kDirections = 64;
 constexpr int kLengths = 7;
+// Pairs whose circles are this far apart (planner units) do not touch, whatever the rounding.
+constexpr double kTouching = 0x1p-20;
 
 pdg::ConvexPolygon turned(const pdg::ConvexPiece& piece, const pdg::Rotation rotation, const Vec2 t) {
   pdg::ConvexPolygon out;
@@ -39,51 +42,23 @@ double wall_depth(const pdg::ConvexPolygon& hull, const pdg::Edge& wall) {
   return depth;
 }
 
-class DepthSearch {
- public:
-  DepthSearch(const Problem& problem, ObstacleTree& tree, const pdg::Rotation rotation, const Vec2 t)
-      : tree_(tree), t_(t), reach_(problem.robot.reach) {
-    for (const pdg::ConvexPiece& piece : problem.robot.pieces)
-      bodies_.push_back(turned(piece, rotation, t));
-  }
-
-  Deepest find() {
-    for (std::uint32_t wall = 0; wall < tree_.wall_count(); ++wall)
-      note(wall_depth(bodies_.back(), tree_.piece(wall).edges[0]), wall, bodies_.size() - 1);
-    if (!tree_.empty()) visit(tree_.root());
-    return deepest_;
-  }
-
- private:
-  void note(const double depth, const std::uint32_t obstacle, const std::size_t robot) {
-    if (depth > deepest_.depth) deepest_ = {depth, obstacle, robot};
-  }
-
-  void visit(const std::uint32_t index) {
-    const TreeNode node = tree_.node(index);
-    if (t_.x + reach_ < node.low.x || t_.x - reach_ > node.high.x || t_.y + reach_ < node.low.y ||
-        t_.y - reach_ > node.high.y)
-      return;
-    tree_.expand(index);
-    const TreeNode& open = tree_.node(index);
-    if (open.piece == kNoPiece) {
-      const std::uint32_t left = open.left;
-      visit(left);
-      visit(left + 1);
-      return;
-    }
-    const std::uint32_t piece = open.piece;
-    const pdg::ConvexPolygon b = polygon_of(tree_.piece(piece));
-    for (std::size_t i = 0; i + 1 < bodies_.size(); ++i)
-      note(pdg::translational_depth(bodies_[i], b).depth, piece, i);
-  }
-
-  ObstacleTree& tree_;
-  Vec2 t_;
-  double reach_;
-  std::vector<pdg::ConvexPolygon> bodies_;  // the hull last
-  Deepest deepest_;
-};
+Deepest deepest_pair(const Problem& problem, ObstacleTree& tree, const pdg::Motion& motion,
+                     const pdg::Rotation rotation) {
+  std::vector<pdg::ConvexPolygon> bodies;
+  for (const pdg::ConvexPiece& piece : problem.robot.pieces)
+    bodies.push_back(turned(piece, rotation, motion.t));
+  Deepest deepest;
+  visit_nearby_pairs(problem.robot, tree, motion, rotation, kTouching,
+                     [&](const std::uint32_t obstacle, const std::size_t robot) {
+                       const pdg::ConvexPiece& b = tree.piece(obstacle);
+                       const double depth =
+                           b.vertex_count == 0
+                               ? wall_depth(bodies[robot], b.edges[0])
+                               : pdg::translational_depth(bodies[robot], polygon_of(b)).depth;
+                       if (depth > deepest.depth) deepest = {depth, obstacle, robot};
+                     });
+  return deepest;
+}
 
 }  // namespace
 
@@ -114,7 +89,7 @@ Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
     out.clearance = length_to_user(problem, result.clearance);
     return out;
   }
-  const Deepest deepest = DepthSearch(problem, tree, rotation, pose.t).find();
+  const Deepest deepest = deepest_pair(problem, tree, motion, rotation);
   out.state = result.label == Label::kFull ? PlacementState::kColliding : PlacementState::kContact;
   if (out.state == PlacementState::kColliding)
     out.depth = length_to_user(problem, std::max(deepest.depth, 0.0));

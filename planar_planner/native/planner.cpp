@@ -28,7 +28,7 @@ Answer Planner::solve(const Configuration& start, const Configuration& goal, con
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   if (!ends_not_free(query) && !cheap_move(query) && !disc_answer(query)) subdivide(query);
-  restore_ends(query, start, goal);
+  settle_lifted_ends(query, start, goal);
   complete_answer(query);
   return std::move(query.answer);
 }
@@ -43,6 +43,7 @@ bool Planner::ends_not_free(Query& query) {
         query.limits.contact_tolerance > 0.0) {
       if (const auto moved = lift_off(problem_, *segments_, *end, query.limits.contact_tolerance)) {
         *end = *moved;
+        query.lifted = true;
         continue;
       }
     }
@@ -75,7 +76,7 @@ bool Planner::cheap_move(Query& query) {
 }
 
 bool Planner::conclude_path(Query& query, std::vector<Configuration> path, const char* by) {
-  query.answer.path = report_path(problem_, *segments_, std::move(path));
+  query.answer.path = report_path(problem_, *tree_, std::move(path));
   query.conclude(Verdict::kPath, "certified " + std::string(by), by);
   return true;
 }
@@ -88,16 +89,13 @@ bool Planner::disc_answer(Query& query) {
     }
   }
   if (!disc_round_) return false;
-  Limits limits = query.limits;
-  limits.max_cells = std::min(limits.max_cells, kDiscCells);
-  const Configuration start{query.start.x, query.start.y, 0.0};
-  const Configuration goal{query.goal.x, query.goal.y, 0.0};
-  if (disc_inside_->solve(start, goal, limits, query.listener).verdict == Verdict::kNoPath) {
+  if (ask_disc(*disc_inside_, query).verdict == Verdict::kNoPath) {
     query.conclude(Verdict::kNoPath, "a disc inside the robot has no path", "disc");
     return true;
   }
-  Answer round = disc_round_->solve(start, goal, limits, query.listener);
-  if (round.verdict != Verdict::kPath) return false;
+  if (query.stopped) return true;
+  Answer round = ask_disc(*disc_round_, query);
+  if (round.verdict != Verdict::kPath) return query.stopped;
   std::vector<Configuration>& path = round.path.waypoints;
   for (Configuration& q : path) q.theta = query.start.theta;
   path.push_back(query.goal);
@@ -105,6 +103,23 @@ bool Planner::disc_answer(Query& query) {
   const Terminator never = [] { return false; };
   if (first_uncertified(problem_, *segments_, path, never)) return false;
   return conclude_path(query, std::move(path), "disc");
+}
+
+// Its work counts as the query's; its interruption ends the query.
+Answer Planner::ask_disc(Planner& disc, Query& query) {
+  Limits limits = query.limits;
+  limits.max_cells = std::min(limits.max_cells, kDiscCells);
+  limits.timeout -= query.elapsed();
+  Answer answer = disc.solve({query.start.x, query.start.y, 0.0},
+                             {query.goal.x, query.goal.y, 0.0}, limits, query.listener);
+  statistics_ += answer.statistics;
+  query.answer.cells_by_label = answer.cells_by_label;
+  query.answer.cells_by_level = answer.cells_by_level;
+  if (answer.stopped) {
+    query.conclude(Verdict::kUndecided, answer.reason);
+    query.stopped = true;
+  }
+  return answer;
 }
 
 void Planner::prepare_subdivision(const Query& query) {
@@ -117,12 +132,18 @@ void Planner::prepare_subdivision(const Query& query) {
 
 void Planner::subdivide(Query& query) {
   prepare_subdivision(query);
-  Refinement(problem_, *subdivision_, *faces_, *segments_, statistics_, query).run();
+  Refinement(problem_, *tree_, *subdivision_, *faces_, *segments_, statistics_, query).run();
 }
 
-// The path of an end that was lifted off a contact begins or ends in the user's configuration.
-void Planner::restore_ends(Query& query, const Configuration& start,
-                           const Configuration& goal) const {
+// A lifted end stands for the user's: its path gets a first or last leg within the tolerance. That it
+// has no path says nothing certain of the user's own.
+void Planner::settle_lifted_ends(Query& query, const Configuration& start,
+                                 const Configuration& goal) const {
+  if (!query.lifted) return;
+  if (query.answer.verdict == Verdict::kNoPath)
+    query.conclude(Verdict::kUndecided,
+                   "no path from where the contact tolerance moved the ends; that proves nothing of "
+                   "the ends themselves");
   std::vector<Configuration>& path = query.answer.path.waypoints;
   if (path.empty()) return;
   const auto same = [](const Configuration& a, const Configuration& b) {
@@ -130,6 +151,7 @@ void Planner::restore_ends(Query& query, const Configuration& start,
   };
   if (!same(query.start, start)) path.insert(path.begin(), start);
   if (!same(query.goal, goal)) path.push_back({goal.x, goal.y, path.back().theta});
+  query.answer.reason += "; ends in contact were moved off within the contact tolerance";
 }
 
 void Planner::complete_answer(Query& query) {
@@ -141,6 +163,7 @@ void Planner::complete_answer(Query& query) {
   statistics_.pairs_touched = labeller_->pairs_touched();
   statistics_.decided_by = std::move(answer.statistics.decided_by);
   answer.statistics = statistics_;
+  answer.stopped = query.stopped;
   if (subdivision_) take_census(*subdivision_, answer);
 }
 
@@ -160,7 +183,7 @@ PathCheck Planner::check_path(std::vector<Configuration> path) {
   const Terminator never = [] { return false; };
   const auto bad = first_uncertified(problem_, *segments_, path, never);
   if (bad) check.bad_segment = static_cast<std::int64_t>(*bad);
-  if (!bad) check.least_clearance = report_path(problem_, *segments_, std::move(path)).least_clearance;
+  if (!bad) check.least_clearance = report_path(problem_, *tree_, std::move(path)).least_clearance;
   return check;
 }
 

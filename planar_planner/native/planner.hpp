@@ -38,11 +38,13 @@ class Planner {
   bool ends_not_free(Query& query);
   bool cheap_move(Query& query);
   bool disc_answer(Query& query);
+  Answer ask_disc(Planner& disc, Query& query);
   bool conclude_path(Query& query, std::vector<Configuration> path, const char* by);
   void subdivide(Query& query);
   void prepare_subdivision(const Query& query);
   void complete_answer(Query& query);
-  void restore_ends(Query& query, const Configuration& start, const Configuration& goal) const;
+  void settle_lifted_ends(Query& query, const Configuration& start,
+                          const Configuration& goal) const;
 
   Problem problem_;
   Statistics statistics_;  // of the current query

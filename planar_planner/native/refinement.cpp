@@ -22,9 +22,10 @@ const float kBatch = (float)tune("T_BATCH", 0.7);
 
 }  // namespace
 
-Refinement::Refinement(const Problem& problem, Subdivision& subdivision, FaceTest& faces,
+Refinement::Refinement(const Problem& problem, ObstacleTree& tree, Subdivision& subdivision, FaceTest& faces,
                        SegmentTest& segments, Statistics& statistics, Query& query)
     : problem_(problem),
+      tree_(tree),
       subdivision_(subdivision),
       faces_(faces),
       segments_(segments),
@@ -135,34 +136,26 @@ void Refinement::resolve_doubt(const CellId a, const CellId b) {
 bool Refinement::finish(const std::vector<CellId>& channel) {
   const Stopwatch watch(statistics_.seconds.path);
   const Terminator terminator = [this] { return stop(); };
+  std::vector<CellId> owners;
   std::vector<Configuration> path = assemble_path(problem_, subdivision_, channel, connectors_,
-                                                  query_.start, query_.goal);
+                                                  query_.start, query_.goal, owners);
   const auto bad = first_uncertified(problem_, segments_, path, terminator);
   if (query_.stopped) return true;
   if (bad) {
-    refine_near(path[*bad], path[*bad + 1]);
+    // Free by construction, but too near to contact for the rounded waypoints: smaller cells have
+    // guards that lie better.
+    const CellId cell = owners[*bad];
+    if (subdivision_.divisible(cell, query_.limits.resolution))
+      split(cell);
+    else
+      exhaust(cell);
     return false;
   }
-  shorten(problem_, segments_, path, terminator);
+  shorten(problem_, tree_, segments_, path, terminator);
   query_.stopped = false;
-  query_.answer.path = report_path(problem_, segments_, std::move(path));
+  query_.answer.path = report_path(problem_, tree_, std::move(path));
   query_.conclude(Verdict::kPath, "certified through a channel of cells", "channel");
   return true;
-}
-
-// Free by construction, but too near to contact for the rounded waypoints: smaller cells have
-// guards that lie better.
-void Refinement::refine_near(const Configuration& from, const Configuration& to) {
-  const Pose p = pose_of(problem_, from);
-  const Pose q = pose_of(problem_, to);
-  const Configuration middle =
-      configuration_of(problem_, {0.5 * (p.t + q.t), 0.5 * (p.theta + q.theta)});
-  const CellId cell = subdivision_.locate(dyadic(middle));
-  if (subdivision_.cell(cell).label == Label::kFree ||
-      !subdivision_.divisible(cell, query_.limits.resolution))
-    exhaust(cell);
-  else
-    split(cell);
 }
 
 bool Refinement::stop() {

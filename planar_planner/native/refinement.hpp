@@ -17,7 +17,7 @@ namespace planner {
 // Borrows the planner's parts for one query; the subdivision and the known links stay behind.
 class Refinement {
  public:
-  Refinement(const Problem& problem, Subdivision& subdivision, FaceTest& faces,
+  Refinement(const Problem& problem, ObstacleTree& tree, Subdivision& subdivision, FaceTest& faces,
              SegmentTest& segments, Statistics& statistics, Query& query);
 
   // Concludes the query.
@@ -28,7 +28,6 @@ class Refinement {
   bool link(const std::vector<CellId>& channel);
   void resolve_doubt(CellId a, CellId b);
   bool finish(const std::vector<CellId>& channel);
-  void refine_near(const Configuration& from, const Configuration& to);
   void split(CellId cell);
   void exhaust(CellId cell);
   bool stop();
@@ -36,6 +35,7 @@ class Refinement {
   [[nodiscard]] std::array<std::uint64_t, 3> dyadic(const Configuration& q) const;
 
   const Problem& problem_;
+  ObstacleTree& tree_;
   Subdivision& subdivision_;
   FaceTest& faces_;
   SegmentTest& segments_;

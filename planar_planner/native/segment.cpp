@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <queue>
 
 #include "pdg/native/tolerances.hpp"
 #include "star.hpp"
@@ -16,15 +15,14 @@ namespace {
 constexpr int kIntervalBudget = 2000;
 constexpr std::size_t kDepth = 44;
 
-pdg::Rotation rotation_at(const double theta) { return {std::cos(theta), std::sin(theta)}; }
+}  // namespace
 
 Pose between(const Pose& from, const Pose& to, const double s) {
   return {from.t + s * (to.t - from.t), from.theta + s * (to.theta - from.theta)};
 }
 
-}  // namespace
-
-pdg::Motion SegmentTest::motion_along(const Pose& from, const Pose& to, const Interval i) const {
+pdg::Motion motion_along(const Problem& problem, const Pose& from, const Pose& to,
+                         const Interval i) {
   pdg::Motion m;
   const double half = 0.5 * (i.end - i.begin);
   m.t = between(from, to, 0.5 * (i.begin + i.end)).t;
@@ -34,7 +32,7 @@ pdg::Motion SegmentTest::motion_along(const Pose& from, const Pose& to, const In
   m.half_angle = std::abs(m.turn);
   m.cos_half = std::cos(m.half_angle);
   m.sin_half = std::sin(m.half_angle);
-  m.reach = std::max(problem_.domain.reach,
+  m.reach = std::max(problem.domain.reach,
                      std::max(pdg::norm(from.t), pdg::norm(to.t)) * pdg::kRadiusPadding);
   // theta is rounded once at its own magnitude, here and when the pose was made.
   m.angle_factor = 1.0 + std::max(std::abs(from.theta), std::abs(to.theta));
@@ -44,7 +42,7 @@ pdg::Motion SegmentTest::motion_along(const Pose& from, const Pose& to, const In
 bool SegmentTest::is_free(const Pose& pose) {
   ConstraintList root, rest;
   labeller_.root_list(root);
-  const pdg::Motion m = motion_along(pose, pose, {0.0, 1.0});
+  const pdg::Motion m = motion_along(problem_, pose, pose, {0.0, 1.0});
   return labeller_.label(m, labeller_.posed(rotation_at(pose.theta)), view(root), rest).label ==
          Label::kFree;
 }
@@ -62,7 +60,7 @@ bool SegmentTest::certify_interval(const Pose& from, const Pose& to, const Inter
                                    const ConstraintView& parent, const std::size_t depth) {
   if (depth > kDepth || --budget_ < 0) return false;
   const double middle = 0.5 * (interval.begin + interval.end);
-  pdg::Motion motion = motion_along(from, to, interval);
+  pdg::Motion motion = motion_along(problem_, from, to, interval);
   motion.margin = margin_;
   ConstraintView list = parent;
   if (motion.half_angle <= std::numbers::pi / 2) {
@@ -79,37 +77,6 @@ bool SegmentTest::certify_interval(const Pose& from, const Pose& to, const Inter
   }
   return certify_interval(from, to, {interval.begin, middle}, list, depth + 1) &&
          certify_interval(from, to, {middle, interval.end}, list, depth + 1);
-}
-
-double SegmentTest::clearance_of(const Pose& from, const Pose& to, const Interval interval) {
-  const pdg::Motion motion = motion_along(from, to, interval);
-  if (motion.half_angle > std::numbers::pi / 2) return 0.0;
-  const Pose centre = between(from, to, 0.5 * (interval.begin + interval.end));
-  labeller_.root_list(lists_[0]);
-  const LabelResult result = labeller_.label(
-      motion, labeller_.posed(rotation_at(centre.theta)), view(lists_[0]), lists_[1]);
-  return result.label == Label::kFree ? result.clearance : 0.0;
-}
-
-void SegmentTest::bound_clearance(const Pose& from, const Pose& to, const double tolerance,
-                                  int intervals, ClearanceBounds& clearance) {
-  struct Open {
-    double bound;
-    Interval interval;
-    bool operator<(const Open& other) const { return bound > other.bound; }
-  };
-  if (lists_.size() < kDepth + 2) lists_.resize(kDepth + 2);
-  std::priority_queue<Open> open;
-  open.push({clearance_of(from, to, {0.0, 1.0}), {0.0, 1.0}});
-  while (open.top().bound < (1.0 - tolerance) * clearance.upper && intervals-- > 0) {
-    const Interval i = open.top().interval;
-    open.pop();
-    const double middle = 0.5 * (i.begin + i.end);
-    clearance.upper = std::min(clearance.upper, clearance_of(from, to, {middle, middle}));
-    for (const Interval half : {Interval{i.begin, middle}, Interval{middle, i.end}})
-      open.push({clearance_of(from, to, half), half});
-  }
-  clearance.lower = std::min(clearance.lower, open.top().bound);
 }
 
 }  // namespace planner

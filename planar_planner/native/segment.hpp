@@ -2,7 +2,7 @@
 // sub-interval is FREE by the same labelling as cells, never sampled.
 #pragma once
 
-#include <limits>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -12,11 +12,17 @@
 
 namespace planner {
 
-// Of the separation along the axes: a lower bound of the Euclidean clearance. Planner units.
-struct ClearanceBounds {
-  double lower = std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
+// A part of a segment, 0 <= begin <= end <= 1.
+struct Interval {
+  double begin, end;
 };
+
+Pose between(const Pose& from, const Pose& to, double s);
+// The configurations of that part of the segment, coupled (pdg::Motion::turn).
+pdg::Motion motion_along(const Problem& problem, const Pose& from, const Pose& to, Interval interval);
+inline pdg::Rotation rotation_at(const double theta) {
+  return {std::cos(theta), std::sin(theta)};
+}
 
 class SegmentTest {
  public:
@@ -28,23 +34,12 @@ class SegmentTest {
   // With a margin: by at least that much, along the separating axes.
   bool certify(const Pose& from, const Pose& to, double margin = 0.0);
 
-  // Lowers `clearance` to hold along a certified segment too. `lower` stays a certified bound of the
-  // clearance, within the factor 1 - tolerance of `upper`, the least value found at any point, unless
-  // `intervals` run out.
-  void bound_clearance(const Pose& from, const Pose& to, double tolerance, int intervals,
-                       ClearanceBounds& clearance);
-
   // Is this single configuration free?
   bool is_free(const Pose& pose);
 
  private:
-  struct Interval {
-    double begin, end;
-  };
   bool certify_interval(const Pose& from, const Pose& to, Interval interval,
                         const ConstraintView& parent, std::size_t depth);
-  double clearance_of(const Pose& from, const Pose& to, Interval interval);
-  [[nodiscard]] pdg::Motion motion_along(const Pose& from, const Pose& to, Interval interval) const;
 
   const Problem& problem_;
   Labeller& labeller_;

@@ -32,6 +32,9 @@ struct Statistics {
   std::uint64_t memory_bytes = 0;
   Seconds seconds;
   std::string decided_by;
+
+  // Counts and times of a query asked on the way.
+  Statistics& operator+=(const Statistics& other);
 };
 
 // Adds the time of its life to one of the clocks above. Clocks never steer the search.

@@ -1,0 +1,62 @@
+// Pairs of pieces that come near each other somewhere in a motion, walls included: what labelling
+// visits, without the labels. Opens the obstacle tree as it goes.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "obstacle_tree.hpp"
+#include "pdg/native/motion.hpp"
+#include "robot.hpp"
+
+namespace planner {
+
+// Lower bound of the distance from the motion's translations to a rectangle.
+inline double distance_to_box(const pdg::Motion& m, const Vec2 low, const Vec2 high) {
+  const double ex = std::abs(m.g1.x) + std::abs(m.g2.x);
+  const double ey = std::abs(m.g1.y) + std::abs(m.g2.y);
+  const double dx = std::max({low.x - m.t.x, m.t.x - high.x, 0.0}) - ex;
+  const double dy = std::max({low.y - m.t.y, m.t.y - high.y, 0.0}) - ey;
+  return pdg::norm({std::max(dx, 0.0), std::max(dy, 0.0)});
+}
+
+// Lower bound of the distance between the pieces' bounding circles over the motion.
+inline double circle_distance(const pdg::Motion& m, const pdg::Rotation rotation,
+                              const pdg::ConvexPiece& a, const pdg::ConvexPiece& b) {
+  const Vec2 d = m.t + pdg::rotate(rotation, a.centre) - b.centre;
+  const double dx = std::max(std::abs(d.x) - std::abs(m.g1.x) - std::abs(m.g2.x), 0.0);
+  const double dy = std::max(std::abs(d.y) - std::abs(m.g1.y) - std::abs(m.g2.y), 0.0);
+  // |R(theta + delta) c - R(theta) c| = 2 |c| sin(|delta| / 2) <= |c| |delta|
+  return pdg::norm({dx, dy}) - pdg::norm(a.centre) * m.half_angle - a.radius - b.radius;
+}
+
+// Calls visit(obstacle piece, robot piece) for every pair whose circles come nearer than `within`
+// (planner units); every other pair is at least that far apart, up to rounding.
+template <class Visit>
+void visit_node_pairs(const Robot& robot, ObstacleTree& tree, const std::uint32_t index,
+                      const pdg::Motion& motion, const pdg::Rotation rotation, const double within,
+                      const Visit& visit) {
+  const TreeNode& node = tree.node(index);
+  if (distance_to_box(motion, node.low, node.high) - robot.reach >= within) return;
+  tree.expand(index);
+  if (tree.node(index).piece == kNoPiece) {
+    const std::uint32_t left = tree.node(index).left;
+    for (const std::uint32_t child : {left, left + 1})
+      visit_node_pairs(robot, tree, child, motion, rotation, within, visit);
+    return;
+  }
+  const std::uint32_t piece = tree.node(index).piece;
+  for (std::size_t i = 0; i < robot.body_pieces(); ++i)
+    if (circle_distance(motion, rotation, robot.pieces[i], tree.piece(piece)) < within)
+      visit(piece, i);
+}
+
+template <class Visit>
+void visit_nearby_pairs(const Robot& robot, ObstacleTree& tree, const pdg::Motion& motion,
+                        const pdg::Rotation rotation, const double within, const Visit& visit) {
+  for (std::uint32_t wall = 0; wall < tree.wall_count(); ++wall) visit(wall, robot.hull());
+  if (!tree.empty())
+    visit_node_pairs(robot, tree, tree.root(), motion, rotation, within, visit);
+}
+
+}  // namespace planner

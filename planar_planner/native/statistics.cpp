@@ -1,0 +1,25 @@
+#include "statistics.hpp"
+
+#include <algorithm>
+
+namespace planner {
+
+Statistics& Statistics::operator+=(const Statistics& other) {
+  labelled_cells += other.labelled_cells;
+  separation_evaluations += other.separation_evaluations;
+  star_tests += other.star_tests;
+  joint_cells += other.joint_cells;
+  faces_tested += other.faces_tested;
+  segments_tested += other.segments_tested;
+  search_rounds += other.search_rounds;
+  search_expansions += other.search_expansions;
+  memory_bytes = std::max(memory_bytes, other.memory_bytes);
+  seconds.preprocessing += other.seconds.preprocessing;
+  seconds.labelling += other.seconds.labelling;
+  seconds.faces += other.seconds.faces;
+  seconds.search += other.seconds.search;
+  seconds.path += other.seconds.path;
+  return *this;
+}
+
+}  // namespace planner
