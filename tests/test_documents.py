@@ -1,0 +1,77 @@
+"""What README.md and docs/ show is run: examples, scene, links, statistics."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from planar_planner import load_scene, solve
+
+ROOT = Path(__file__).parents[1]
+PAGES = sorted([ROOT / "README.md", *(ROOT / "docs").glob("*.md")])
+
+
+def blocks(page: Path, language: str) -> list[str]:
+    text = page.read_text(encoding="utf-8")
+    return re.findall(rf"^```{language}\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+
+
+def run(code: str, folder: Path) -> str:
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", code],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_python_example_of_the_readme(tmp_path: Path) -> None:
+    (example,) = blocks(ROOT / "README.md", "python")
+    printed = run(example + "print(again.verdict)\n", tmp_path)
+    lines = printed.splitlines()
+    assert lines[0] == lines[-1] == "path"
+
+
+def test_python_example_of_pdg(tmp_path: Path) -> None:
+    (example,) = blocks(ROOT / "docs" / "pdg.md", "python")
+    call, shown = re.findall(r"^(pdg\.\w+\(.*\))\n# (.*)$", example, re.MULTILINE)[0]
+    assert run(f"{example}print({call})\n", tmp_path).strip() == shown
+
+
+def test_scene_of_the_readme_is_solved() -> None:
+    (scene,) = blocks(ROOT / "README.md", "json")
+    assert solve(load_scene(json.loads(scene))).verdict == "path"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_links_lead_somewhere(page: Path) -> None:
+    for target in re.findall(r"\]\(([^)\s]+)\)", page.read_text(encoding="utf-8")):
+        if re.match(r"https?:", target):
+            continue
+        name, _, anchor = target.partition("#")
+        file = page.parent / name if name else page
+        assert file.exists(), target
+        if anchor:
+            assert anchor in anchors(file), target
+
+
+def anchors(page: Path) -> set[str]:
+    """Return the anchors that GitHub makes of a page's headings."""
+    headings = re.findall(r"^#+ (.+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", h.lower()).replace(" ", "-") for h in headings}
+
+
+def test_every_statistic_is_explained() -> None:
+    method = (ROOT / "docs" / "method.md").read_text(encoding="utf-8")
+    section = method.partition("## Statistics")[2].partition("\n## ")[0]
+    for key in solve(load_scene("corner")).stats:
+        assert f"`{key}`" in section, key
