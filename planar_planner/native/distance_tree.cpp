@@ -1,18 +1,15 @@
 #include "distance_tree.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace planner {
 
 namespace {
 
-double tune(const char* name, double value) {
-  const char* s = std::getenv(name);
-  return s ? std::atof(s) : value;
-}
-const double kSlackDown = tune("T_SLACK", 0.6);
-const double kSlackUp = tune("T_DOWN", 0.3);
+// An orphan keeps its distance if that undercuts its new way by at most this part of its own cost ...
+constexpr double kSlackDown = 0.6;
+// ... and a reached leaf is told of a shorter way if that saves more than this part of its own cost.
+constexpr double kSlackUp = 0.3;
 
 // More than any channel without exhausted cells and doubtful links can cost.
 constexpr double kBarrier = 1e15;

@@ -2,9 +2,9 @@
 // split instead of being built anew.
 //
 // A leaf that loses its predecessor looks for another one that is no farther, and only if there is
-// none does its branch get new distances. Distances may be off by the factors 1 - kSlackDown and
-// 1 + kSlackUp a step, which saves most of the mending; what is reachable is exact. The tree is
-// grown only as far as its caller asks.
+// none does its branch get new distances. Distances may be off by a stated part of each step's cost,
+// which saves most of the mending; what is reachable is exact. The tree is grown only as far as its
+// caller asks.
 //
 // Invariant: every reached leaf but the root has a live, reached predecessor among its neighbours
 // that is strictly nearer, so that predecessors lead to the root.
