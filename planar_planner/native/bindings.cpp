@@ -122,6 +122,7 @@ nb::dict statistics_dict(const planner::Answer& answer) {
   out["search_rounds"] = s.search_rounds;
   out["search_expansions"] = s.search_expansions;
   out["memory_bytes"] = s.memory_bytes;
+  out["constraint_bytes"] = s.constraint_bytes;
   out["seconds"] = seconds;
   out["path_length"] = answer.path.length;
   out["path_turning"] = answer.path.turning;

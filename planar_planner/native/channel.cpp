@@ -27,7 +27,7 @@ double crossing_cost(const Label label, const double relative_size, const double
 }
 
 std::size_t ChannelSearch::bytes() const {
-  return from_start_.bytes() + from_goal_.bytes() + meetings_.size() * sizeof(Meeting) +
+  return from_start_.bytes() + from_goal_.bytes() + meetings_.bytes() +
          doubtful_.size() * 4 * sizeof(std::uint64_t);
 }
 
@@ -85,6 +85,10 @@ void ChannelSearch::note_meetings() {
         meetings_.push({cost_through(cell), cell});
     tree->changed().clear();
   }
+  meetings_.sweep(subdivision_.size(), [&](const Meeting& meeting) {
+    return from_start_.reached(meeting.cell) && from_goal_.reached(meeting.cell) &&
+           cost_through(meeting.cell) == meeting.cost;
+  });
 }
 
 ChannelSearch::Meeting ChannelSearch::best_meeting() {

@@ -6,10 +6,10 @@
 #pragma once
 
 #include <cstdint>
-#include <queue>
 #include <vector>
 
 #include "distance_tree.hpp"
+#include "growth.hpp"
 #include "statistics.hpp"
 #include "subdivision.hpp"
 
@@ -67,7 +67,7 @@ class ChannelSearch {
   DoubtfulLinks doubtful_;
   DistanceTree from_start_;
   DistanceTree from_goal_;
-  std::priority_queue<Meeting> meetings_;
+  LazyQueue<Meeting> meetings_;
 };
 
 }  // namespace planner

@@ -22,7 +22,9 @@ std::uint32_t ConstraintStore::Pool<T>::store(const std::span<const T> run) {
     at = free[bin].back();
     free[bin].pop_back();
   } else {
-    items.resize(at + (std::size_t{1} << bin));
+    const std::size_t size = at + (std::size_t{1} << bin);
+    if (size > items.capacity()) items.reserve(size + size / 4);
+    items.resize(size);
   }
   std::copy(run.begin(), run.end(), items.begin() + static_cast<std::ptrdiff_t>(at));
   return static_cast<std::uint32_t>(at);

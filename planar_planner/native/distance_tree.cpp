@@ -17,7 +17,7 @@ constexpr double kBarrier = 1e15;
 }  // namespace
 
 std::size_t DistanceTree::bytes() const {
-  return nodes_.capacity() * sizeof(Node) + (open_.size() + orphans_.size()) * sizeof(Step);
+  return nodes_.capacity() * sizeof(Node) + open_.bytes() + orphans_.bytes();
 }
 
 void DistanceTree::reset(const CellId root) {
@@ -70,6 +70,7 @@ void DistanceTree::before_split(const CellId cell) {
 
 void DistanceTree::after_split(const CellId lower, const CellId upper, const CellId root) {
   root_ = root;
+  grow(nodes_);
   nodes_.resize(subdivision_.size());
   refresh(lower);
   refresh(upper);
@@ -129,6 +130,10 @@ void DistanceTree::mend() {
   }
   for (const CellId cell : raised_) offer(cell);
   raised_.clear();
+  open_.sweep(nodes_.size(), [&](const Step& step) {
+    const Node& node = nodes_[step.cell];
+    return step.key == node.queued && step.key < node.distance;
+  });
   // The root is reached before anything is asked: a tree that cannot grow is then a component.
   if (!reached(root_)) settle({0.0, root_, kNoCell});
 }
@@ -157,8 +162,7 @@ void DistanceTree::offer(const CellId cell) {
 // Is the step's way in still as good as its key says? Ids are used again, so adjacency is checked.
 bool DistanceTree::holds(const Step& step) const {
   if (step.from == kNoCell) return step.cell == root_;
-  const std::vector<CellId>& neighbours = subdivision_.cell(step.cell).neighbours;
-  return std::find(neighbours.begin(), neighbours.end(), step.from) != neighbours.end() &&
+  return subdivision_.linked(step.cell, step.from) &&
          nodes_[step.from].distance + step_cost(step.from, step.cell) <= step.key;
 }
 

@@ -12,10 +12,10 @@
 
 #include <cstdint>
 #include <limits>
-#include <queue>
 #include <unordered_set>
 #include <vector>
 
+#include "growth.hpp"
 #include "statistics.hpp"
 #include "subdivision.hpp"
 
@@ -69,7 +69,7 @@ class DistanceTree {
     double key;
     CellId cell;
     CellId from;
-    bool operator<(const Step& other) const {  // std::priority_queue: cheapest first
+    bool operator<(const Step& other) const {  // LazyQueue: cheapest first
       return key > other.key || (key == other.key && cell > other.cell);
     }
   };
@@ -90,8 +90,8 @@ class DistanceTree {
   Statistics& statistics_;
   CellId root_ = kNoCell;
   std::vector<Node> nodes_;
-  std::priority_queue<Step> open_;
-  std::priority_queue<Step> orphans_;  // key: distance before the loss
+  LazyQueue<Step> open_;
+  LazyQueue<Step> orphans_;  // key: distance before the loss
   std::vector<CellId> raised_;
   std::vector<CellId> changed_;
   bool parent_reached_ = false;

@@ -162,6 +162,7 @@ bool Refinement::stop() {
     query_.stopped = true;
     return true;
   };
+  statistics_.constraint_bytes = subdivision_.constraint_bytes();
   statistics_.memory_bytes = subdivision_.bytes() + search_.bytes();
   if (subdivision_.size() >= limits.max_cells) return reached("cell limit reached");
   if (statistics_.memory_bytes >= limits.max_memory) return reached("memory limit reached");

@@ -30,6 +30,7 @@ struct Statistics {
   std::uint64_t search_expansions = 0;
   std::uint64_t channel_length = 0;
   std::uint64_t memory_bytes = 0;
+  std::uint64_t constraint_bytes = 0;  // of these: the cells' undecided constraints
   Seconds seconds;
   std::string decided_by;
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "growth.hpp"
+
 namespace planner {
 
 namespace {
@@ -12,9 +14,16 @@ double motion_radius(const pdg::Motion& m, const double turning_radius) {
   return pdg::norm({m.g1.x, m.g2.y}) + turning_radius * m.half_angle;
 }
 
+// From the back: what is split is mostly what was added last, also in the long lists of large cells.
+CellId* find_last(std::vector<CellId>& list, const CellId value) {
+  for (std::size_t i = list.size(); i-- > 0;)
+    if (list[i] == value) return &list[i];
+  return nullptr;
+}
+
 void erase_value(std::vector<CellId>& list, const CellId value) {
-  const auto at = std::find(list.begin(), list.end(), value);
-  if (at == list.end()) return;
+  CellId* const at = find_last(list, value);
+  if (at == nullptr) return;
   *at = list.back();
   list.pop_back();
 }
@@ -132,6 +141,7 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
                    star_.find_guard(motion, posed, view(child_list_))) {
       cell.label = Label::kStar;
       cell.guard = static_cast<std::uint32_t>(guards_.size());
+      grow(guards_);
       guards_.push_back(*guard);
     }
   }
@@ -153,9 +163,10 @@ CellId Subdivision::split(const CellId id) {
   store_.release(cells_[id].list);
   const std::vector<CellId> old = std::move(cells_[id].neighbours);
   neighbour_bytes_ -= old.capacity() * sizeof(CellId);
-  for (const CellId neighbour : old) erase_value(cells_[neighbour].neighbours, id);
 
   const auto upper = static_cast<CellId>(cells_.size());
+  grow(cells_);
+  grow(branches_);
   const std::uint32_t place = cells_[id].branch;
   const auto branch = static_cast<std::uint32_t>(branches_.size());
   branches_.push_back({kLeaf | id, kLeaf | upper, axis});
@@ -172,26 +183,54 @@ CellId Subdivision::split(const CellId id) {
   return upper;
 }
 
-void Subdivision::link(const CellId a, const CellId b) {
-  for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-    std::vector<CellId>& list = cells_[from].neighbours;
-    neighbour_bytes_ -= list.capacity() * sizeof(CellId);
-    list.push_back(to);
-    neighbour_bytes_ += list.capacity() * sizeof(CellId);
-  }
+void Subdivision::add_neighbour(const CellId to, const CellId neighbour) {
+  std::vector<CellId>& list = cells_[to].neighbours;
+  const std::size_t before = list.capacity();
+  if (list.size() == before) list.reserve(before + std::max<std::size_t>(4, before / 2));
+  list.push_back(neighbour);
+  neighbour_bytes_ += (list.capacity() - before) * sizeof(CellId);
 }
 
+void Subdivision::link(const CellId a, const CellId b) {
+  add_neighbour(a, b);
+  add_neighbour(b, a);
+}
+
+// The lower half has the parent's id, which its neighbours' lists hold already.
 void Subdivision::adopt_neighbours(const CellId lower, const CellId upper, const int axis,
                                    const std::vector<CellId>& old) {
+  const auto touches = [&](const CellId half, const CellId neighbour) {
+    return cells_[half].label != Label::kFull &&
+           still_adjacent(cells_[half].box, cells_[neighbour].box, axis);
+  };
   for (const CellId half : {lower, upper}) {
     if (cells_[half].label == Label::kFull) continue;
-    cells_[half].neighbours.reserve(old.size() + 1);
+    const auto count = std::count_if(old.begin(), old.end(),
+                                     [&](const CellId n) { return touches(half, n); });
+    cells_[half].neighbours.reserve(static_cast<std::size_t>(count) + 1);
     neighbour_bytes_ += cells_[half].neighbours.capacity() * sizeof(CellId);
-    for (const CellId neighbour : old)
-      if (still_adjacent(cells_[half].box, cells_[neighbour].box, axis)) link(half, neighbour);
+  }
+  for (const CellId neighbour : old) {
+    const bool below = touches(lower, neighbour);
+    const bool above = touches(upper, neighbour);
+    if (below) add_neighbour(lower, neighbour);
+    if (above) add_neighbour(upper, neighbour);
+    if (below && above)
+      add_neighbour(neighbour, upper);
+    else if (above)
+      *find_last(cells_[neighbour].neighbours, lower) = upper;
+    else if (!below)
+      erase_value(cells_[neighbour].neighbours, lower);
   }
   if (cells_[lower].label != Label::kFull && cells_[upper].label != Label::kFull)
     link(lower, upper);
+}
+
+bool Subdivision::linked(const CellId a, const CellId b) const {
+  const std::vector<CellId>& of_a = cells_[a].neighbours;
+  const std::vector<CellId>& of_b = cells_[b].neighbours;
+  return of_a.size() <= of_b.size() ? std::find(of_a.begin(), of_a.end(), b) != of_a.end()
+                                    : std::find(of_b.begin(), of_b.end(), a) != of_b.end();
 }
 
 void Subdivision::mark_exhausted(const CellId id) {

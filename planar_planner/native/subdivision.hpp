@@ -60,6 +60,8 @@ class Subdivision {
   [[nodiscard]] std::uint64_t guard_turns(CellId id) const;
   [[nodiscard]] ConstraintView undecided(CellId id) const { return store_.get(cells_[id].list); }
   [[nodiscard]] std::size_t bytes() const;
+  // The part of it that holds what the leaves leave undecided.
+  [[nodiscard]] std::size_t constraint_bytes() const { return store_.bytes(); }
 
   // The leaf whose closed box holds the point (the lower one on a common face).
   [[nodiscard]] CellId locate(const std::array<std::uint64_t, 3>& point) const;
@@ -73,6 +75,8 @@ class Subdivision {
   void mark_exhausted(CellId id);
   void clear_exhausted();
   void disconnect(CellId a, CellId b);
+  // Neighbours that have not been disconnected?
+  [[nodiscard]] bool linked(CellId a, CellId b) const;
 
  private:
   // An inner node of the kd-tree: its halves are leaves (kLeaf set) or branches.
@@ -88,6 +92,7 @@ class Subdivision {
   Cell make_cell(const CellBox& box, const ConstraintView& parent);
   void adopt_neighbours(CellId lower, CellId upper, int axis, const std::vector<CellId>& old);
   void link(CellId a, CellId b);
+  void add_neighbour(CellId to, CellId neighbour);
   [[nodiscard]] double turning_radius(const ConstraintView& list) const;
   [[nodiscard]] int widest_axis(CellId id) const;
 

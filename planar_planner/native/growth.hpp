@@ -1,0 +1,48 @@
+// Containers that keep their slack small, since a search may hold millions of cells.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace planner {
+
+// Room for one more, growing by a quarter: at most 25 % slack where doubling leaves up to 100 %.
+template <class T>
+void grow(std::vector<T>& items) {
+  constexpr std::size_t kFirst = 64;
+  if (items.size() == items.capacity())
+    items.reserve(std::max(kFirst, items.size() + items.size() / 4));
+}
+
+// A priority queue (largest first by operator<) whose stale entries can be swept out.
+template <class T>
+class LazyQueue {
+ public:
+  [[nodiscard]] bool empty() const { return items_.empty(); }
+  [[nodiscard]] std::size_t size() const { return items_.size(); }
+  [[nodiscard]] std::size_t bytes() const { return items_.capacity() * sizeof(T); }
+  [[nodiscard]] const T& top() const { return items_.front(); }
+
+  void push(const T& item) {
+    grow(items_);
+    items_.push_back(item);
+    std::push_heap(items_.begin(), items_.end());
+  }
+  void pop() {
+    std::pop_heap(items_.begin(), items_.end());
+    items_.pop_back();
+  }
+  // Drops what is no longer wanted, if the queue holds more than `limit` items.
+  template <class Wanted>
+  void sweep(const std::size_t limit, const Wanted& wanted) {
+    if (items_.size() <= limit) return;
+    std::erase_if(items_, [&](const T& item) { return !wanted(item); });
+    std::make_heap(items_.begin(), items_.end());
+  }
+
+ private:
+  std::vector<T> items_;
+};
+
+}  // namespace planner
