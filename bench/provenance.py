@@ -91,7 +91,9 @@ def _installed_differs() -> bool:
     """Whether an installed Python file is another, or the core older than its last commit."""
     from planar_planner import _core
 
-    committed = _git("log", "-1", "--format=%ct", "--", "*/native", "CMakeLists.txt")
+    committed = _git(
+        "log", "-1", "--format=%ct", "--", *(f"{package}/native" for package in SOURCES[:2])
+    )
     if committed and Path(str(_core.__file__)).stat().st_mtime < float(committed):
         return True
     for package in SOURCES[:2]:

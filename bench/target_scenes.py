@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import provenance  # noqa: F401  (makes scenarios importable)
 from timing import Measured, measure
 
+from planar_planner import Options
 from scenarios import snowflake
 from scenarios.model import Scene, box, scene
 
@@ -37,12 +38,13 @@ def bisect(
     width: float,
     *,
     repetitions: int = 5,
+    options: Options | None = None,
 ) -> Bisection:
     """Halve a bracket until it is narrower than `width`; raise if a decision stays undecided."""
     decisions = []
     while abs(passing - blocked) > width:
         middle = 0.5 * (blocked + passing)
-        measured = measure(make(middle), most=repetitions)
+        measured = measure(make(middle), options, most=repetitions)
         decisions.append((middle, measured))
         if measured.result.verdict == "undecided":
             raise RuntimeError(f"undecided at {middle!r}: {measured.result.reason}")

@@ -16,6 +16,15 @@ _HEADLINES = {
     "undecided": "undecided",
 }
 
+# What the core calls the limit, and how a user of the command line moves it.
+_HINTS = {
+    "resolution reached": "a smaller --resolution may decide it",
+    "cell limit reached": "a larger --max-cells may decide it",
+    "time limit reached": "a longer --timeout may decide it",
+    "memory limit reached": "a larger --max-memory may decide it",
+    "contact tolerance": "--contact-tolerance LENGTH allows it",
+}
+
 
 def headline(result: Result) -> str:
     """Return the verdict in one line."""
@@ -27,6 +36,7 @@ def statistics(result: Result) -> str:
     """Return what was done and what it took; a statistic that the core left out is left out."""
     stats = result.stats
     lines = [
+        _hint_line(result),
         _path_line(result, stats),
         _cells_line(stats),
         _levels_line(stats),
@@ -34,6 +44,12 @@ def statistics(result: Result) -> str:
         _time_line(stats),
     ]
     return "\n".join(f"  {line}" for line in lines if line)
+
+
+def _hint_line(result: Result) -> str:
+    if result.verdict != "undecided":
+        return ""
+    return next((hint for limit, hint in _HINTS.items() if limit in result.reason), "")
 
 
 def _path_line(result: Result, stats: Mapping[str, Any]) -> str:

@@ -122,6 +122,12 @@ def test_cell_limit_is_undecided() -> None:
     assert content["path"] == []
 
 
+def test_a_limit_that_was_reached_names_its_option() -> None:
+    done = run("solve", "gear", "--max-cells", "50")
+    assert done.returncode == 3
+    assert "a larger --max-cells may decide it" in done.stdout
+
+
 def test_timeout_is_undecided() -> None:
     done = run("check", "maze", "--timeout", "1e-6", "--json", "-")
     assert done.returncode == 3
