@@ -18,12 +18,12 @@ struct Edge {
 
 struct ConvexPiece {
   std::vector<Edge> edges;
-  int vertex_count = 0;  // = edges.size(), or 0 for a half-plane
-  Vec2 centre;           // of a bounding circle
-  double radius = 0.0;   // its radius, rounded up; infinite for a half-plane
+  int vertex_count = 0;       // = edges.size(), or 0 for a half-plane
+  Vec2 centre;                // of a bounding circle
+  double radius = 0.0;        // its radius, rounded up; infinite for a half-plane
   Vec2 inner_centre;          // of a circle inside the piece
   double inner_radius = 0.0;  // its radius, rounded down
-  double reach = 0.0;    // max |vertex| rounded up; |offset| for a half-plane
+  double reach = 0.0;         // max |vertex| rounded up; |offset| for a half-plane
 };
 
 // The map from the user's frame to the frame of evaluation: (p - origin) 2^exponent.

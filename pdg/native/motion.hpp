@@ -29,10 +29,10 @@ struct Motion {
   double half_angle = 0.0;  // radians, at most pi/2
   double cos_half = 1.0;
   double sin_half = 0.0;
-  double turn = 0.0;  // straight segment: delta = s1 turn, |turn| = half_angle; 0: delta is free
-  double reach = 0.0;           // bounds |t| over the whole set
-  double margin = 0.0;          // separation demanded of a pair before it counts as apart
-  double angle_factor = 1.0;    // 1, or more where theta was rounded at larger magnitude
+  double turn = 0.0;    // straight segment: delta = s1 turn, |turn| = half_angle; 0: delta is free
+  double reach = 0.0;   // bounds |t| over the whole set
+  double margin = 0.0;  // separation demanded of a pair before it counts as apart
+  double angle_factor = 1.0;  // 1, or more where theta was rounded at larger magnitude
 };
 
 // The robot's pieces turned to the centre of a motion: vertices and normals of all pieces, one

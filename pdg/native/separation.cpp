@@ -8,8 +8,8 @@ namespace pdg {
 namespace {
 
 struct Envelope {
-  double lo = 0.0;       // min over points and delta
-  double hi = 0.0;       // upper bound of max over delta of min over points
+  double lo = 0.0;  // min over points and delta
+  double hi = 0.0;  // upper bound of max over delta of min over points
   std::uint16_t first = 0;
   std::uint16_t count = 0;
 };
@@ -32,15 +32,17 @@ double turning_extent(const Motion& m, const Vec2 n) {
   return std::max(turning_extent_of(m, n, m.g1 + m.g2), turning_extent_of(m, n, m.g1 - m.g2));
 }
 
-// Lower envelope of n . R(delta) p_i over a cyclic vertex range (for a robot edge the angle runs the
-// other way, which changes nothing). `point(i)` is vertex i seen from the centre of the motion;
+// Lower envelope of n . R(delta) p_i over a cyclic vertex range (for a robot edge the angle runs
+// the other way, which changes nothing). `point(i)` is vertex i seen from the centre of the motion;
 // `aligned(i, value)` says whether the edge from vertex i to i + 1 becomes parallel to the axis
 // within the half-angle and gives the envelope's value there.
 template <class Point, class Aligned>
 Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& c, const Motion& m,
                         const double error, const Point& point, const Aligned& aligned) {
   Envelope out{.lo = INFINITY, .hi = INFINITY, .first = c.first, .count = c.count};
-  const auto at = [&](const std::size_t i) { return c.first + i < ring ? c.first + i : c.first + i - ring; };
+  const auto at = [&](const std::size_t i) {
+    return c.first + i < ring ? c.first + i : c.first + i - ring;
+  };
   double at_minus = INFINITY;  // envelope at delta = -h and +h, and its minimisers there
   double at_plus = INFINITY;
   std::size_t i_minus = 0;
@@ -96,9 +98,9 @@ bool opposes(const Vec2 a, const Vec2 b, const Motion& m) {
 }
 
 // Range of one function along a straight segment, where the angle follows the translation:
-// t = t_c + s g1, delta = s turn, |s| <= 1. First order exactly, the rest bounded, so that the slack
-// shrinks with the square of the interval. `point` as above; `slope(p)` is ds's derivative, `bend`
-// bounds a further second-order term.
+// t = t_c + s g1, delta = s turn, |s| <= 1. First order exactly, the rest bounded, so that the
+// slack shrinks with the square of the interval. `point` as above; `slope(p)` is ds's derivative,
+// `bend` bounds a further second-order term.
 template <class Point, class Slope>
 Range coupled_range(const Vec2 n, const std::size_t ring, const Constraint& c, const Motion& m,
                     const double bend, const Point& point, const Slope& slope) {
@@ -128,12 +130,11 @@ Range obstacle_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motio
   const Vec2 n = edge.normal;
   const auto point = [&](const std::size_t k) { return a.vertices[k]; };
   const Constraint whole = c;
-  const Envelope e = lower_envelope(
-      n, a.vertices.size(), c, m, error, point,
-      [&](const std::size_t k, double& value) {
-        value = -a.piece->edges[k].offset;
-        return opposes(a.normals[k], n, m);
-      });
+  const Envelope e = lower_envelope(n, a.vertices.size(), c, m, error, point,
+                                    [&](const std::size_t k, double& value) {
+                                      value = -a.piece->edges[k].offset;
+                                      return opposes(a.normals[k], n, m);
+                                    });
   c.first = e.first;
   c.count = e.count;
   const double shift = dot(n, m.t) - edge.offset;
@@ -151,13 +152,12 @@ Range robot_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motion& 
   const Vec2 n = a.normals[c.edge];
   const auto point = [&](const std::size_t k) { return b.edges[k].vertex - m.t; };
   const Constraint whole = c;
-  const Envelope e = lower_envelope(
-      n, b.edges.size(), c, m, error, point,
-      [&](const std::size_t k, double& value) {
-        const Edge& edge = b.edges[k];
-        value = dot(edge.normal, m.t) - edge.offset;
-        return opposes(edge.normal, n, m);
-      });
+  const Envelope e = lower_envelope(n, b.edges.size(), c, m, error, point,
+                                    [&](const std::size_t k, double& value) {
+                                      const Edge& edge = b.edges[k];
+                                      value = dot(edge.normal, m.t) - edge.offset;
+                                      return opposes(edge.normal, n, m);
+                                    });
   c.first = e.first;
   c.count = e.count;
   const double offset = a.piece->edges[c.edge].offset;
@@ -166,14 +166,13 @@ Range robot_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motion& 
   if (m.turn == 0.0) return box;
   // R(delta) n . (u - s g1): u turns the other way round, and |(R(delta) n - n) . g1| <= h |g1|.
   const double along = dot(n, m.g1);
-  const Range coupled =
-      coupled_range(n, b.edges.size(), whole, m, m.half_angle * m.g1_length, point,
-                    [&](const double w) { return -along - w * m.turn; });
+  const Range coupled = coupled_range(n, b.edges.size(), whole, m, m.half_angle * m.g1_length,
+                                      point, [&](const double w) { return -along - w * m.turn; });
   return intersection(box, {coupled.lo - offset, coupled.hi - offset});
 }
 
-// Upper bound of the function's hi from the inner circle of the piece that the edge faces: enough to
-// drop most edges of large pieces without a look at the vertices.
+// Upper bound of the function's hi from the inner circle of the piece that the edge faces: enough
+// to drop most edges of large pieces without a look at the vertices.
 double quick_high(const PosedPiece& a, const ConvexPiece& b, const Motion& m, const Constraint& c) {
   if (c.owner == EdgeOwner::kObstacle) {
     const Edge& edge = b.edges[c.edge];

@@ -44,9 +44,9 @@ struct PosedPiece {
 };
 
 enum class PairLabel : std::uint8_t {
-  kApart,      // apart by the motion's margin (0: or touching) in every configuration: some axis
-               // has lo >= margin + error
-  kOverlap,    // overlapping in every configuration: every axis has hi < -error
+  kApart,    // apart by the motion's margin (0: or touching) in every configuration: some axis
+             // has lo >= margin + error
+  kOverlap,  // overlapping in every configuration: every axis has hi < -error
   kUndecided,
 };
 

@@ -46,7 +46,9 @@ std::optional<Rectangle> rectangle(const std::optional<Box>& box) {
   return Rectangle{{(*box)[0], (*box)[1]}, {(*box)[2], (*box)[3]}};
 }
 
-Configuration configuration(const std::array<double, 3>& q) { return {q[0], q[1], q[2]}; }
+Configuration configuration(const std::array<double, 3>& q) {
+  return {q[0], q[1], q[2]};
+}
 
 planner::Scene scene_of(const PolygonArrays& robot, const PolygonArrays& obstacles,
                         const std::optional<Box>& box,
@@ -197,20 +199,22 @@ nb::dict check_path(planner::Planner& planner, const Path& path) {
 NB_MODULE(_core, m) {
   m.doc() = "Native core of planar_planner; see planar_planner.planner for the public interface.";
   nb::class_<planner::Planner>(m, "Core")
-      .def("__init__",
-           [](planner::Planner* self, const PolygonArrays& robot, const PolygonArrays& obstacles,
-              const std::optional<Box>& workspace_box, const std::optional<PolygonArrays>& workspace,
-              const std::optional<Box>& reference_bounds, const bool rotation) {
-             new (self) planner::Planner(
-                 scene_of(robot, obstacles, workspace_box, workspace, reference_bounds, rotation));
-           },
-           nb::arg("robot"), nb::arg("obstacles"), nb::arg("workspace_box").none(),
-           nb::arg("workspace").none(), nb::arg("reference_bounds").none(), nb::arg("rotation"))
-      .def("placement",
-           [](planner::Planner& self, const std::array<double, 3>& q) {
-             return placement_dict(self.placement(configuration(q)));
-           },
-           nb::arg("q"))
+      .def(
+          "__init__",
+          [](planner::Planner* self, const PolygonArrays& robot, const PolygonArrays& obstacles,
+             const std::optional<Box>& workspace_box, const std::optional<PolygonArrays>& workspace,
+             const std::optional<Box>& reference_bounds, const bool rotation) {
+            new (self) planner::Planner(
+                scene_of(robot, obstacles, workspace_box, workspace, reference_bounds, rotation));
+          },
+          nb::arg("robot"), nb::arg("obstacles"), nb::arg("workspace_box").none(),
+          nb::arg("workspace").none(), nb::arg("reference_bounds").none(), nb::arg("rotation"))
+      .def(
+          "placement",
+          [](planner::Planner& self, const std::array<double, 3>& q) {
+            return placement_dict(self.placement(configuration(q)));
+          },
+          nb::arg("q"))
       .def("solve", &solve, nb::arg("start"), nb::arg("goal"), nb::arg("resolution"),
            nb::arg("max_cells"), nb::arg("timeout"), nb::arg("max_memory"),
            nb::arg("contact_tolerance"), nb::arg("listener").none())

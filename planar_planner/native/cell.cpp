@@ -73,13 +73,15 @@ Extent common_face(const CellBox& a, const CellBox& b, const int axis) {
   }
   face.size[axis] = 0;
   // Cells span at most a quarter turn, so two of them touch on one side only.
-  const bool a_first = a.high(axis) == b.low[axis] ||
-                       (axis == kTheta && a.high(axis) == kUnit && b.low[axis] == 0);
+  const bool a_first =
+      a.high(axis) == b.low[axis] || (axis == kTheta && a.high(axis) == kUnit && b.low[axis] == 0);
   face.low[axis] = a_first ? b.low[axis] : a.low[axis];
   return face;
 }
 
-double radians_of_turns(const std::uint64_t turns) { return kTurn * fraction(turns); }
+double radians_of_turns(const std::uint64_t turns) {
+  return kTurn * fraction(turns);
+}
 
 pdg::Rotation rotation_of_turns(const std::uint64_t turns) {
   constexpr std::uint64_t quarter = kUnit / 4;
@@ -89,10 +91,14 @@ pdg::Rotation rotation_of_turns(const std::uint64_t turns) {
   const double c = std::cos(kTurn * rest);
   const double s = std::sin(kTurn * rest);
   switch (nearest % 4) {
-    case 0: return {c, s};
-    case 1: return {-s, c};
-    case 2: return {-c, -s};
-    default: return {s, -c};
+    case 0:
+      return {c, s};
+    case 1:
+      return {-s, c};
+    case 2:
+      return {-c, -s};
+    default:
+      return {s, -c};
   }
 }
 

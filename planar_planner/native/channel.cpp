@@ -7,16 +7,16 @@ namespace planner {
 
 namespace {
 
-// Crossing costs, in units of (motion radius / robot reach)^kSizeExponent. They steer the search and
-// prove nothing; found by random search over four mazes, three fields, four gears and eleven smaller
-// scenes, scored by labelled cells and expansions. What matters most is the exponent: above 1, one
-// large MIXED cell costs more than its halves one after the other, so that channels prefer what is
-// already resolved.
+// Crossing costs, in units of (motion radius / robot reach)^kSizeExponent. They steer the search
+// and prove nothing; found by random search over four mazes, three fields, four gears and eleven
+// smaller scenes, scored by labelled cells and expansions. What matters most is the exponent: above
+// 1, one large MIXED cell costs more than its halves one after the other, so that channels prefer
+// what is already resolved.
 constexpr double kSizeExponent = 1.5;
-constexpr double kSolidCost = 0.005;      // FREE or STAR
-constexpr double kFreeCentreCost = 0.5;   // MIXED, free at the centre by the labelling's hint
-constexpr double kMixedCost = 1.0;        // MIXED, in contact at the centre ...
-constexpr double kDepthCost = 3.0;        // ... and more for every motion radius that it is in deep
+constexpr double kSolidCost = 0.005;     // FREE or STAR
+constexpr double kFreeCentreCost = 0.5;  // MIXED, free at the centre by the labelling's hint
+constexpr double kMixedCost = 1.0;       // MIXED, in contact at the centre ...
+constexpr double kDepthCost = 3.0;       // ... and more for every motion radius that it is in deep
 
 }  // namespace
 
@@ -73,7 +73,7 @@ void ChannelSearch::on_doubtful(const CellId a, const CellId b) {
   on_disconnected(a, b);
 }
 
-double ChannelSearch::cost_through(const CellId cell) const {
+float ChannelSearch::cost_through(const CellId cell) const {
   // Both distances count the cell itself; a root's counts nothing.
   return from_start_.distance(cell) + from_goal_.distance(cell) - from_start_.cost(cell);
 }
@@ -96,7 +96,7 @@ ChannelSearch::Meeting ChannelSearch::best_meeting() {
   while (!meetings_.empty()) {
     const Meeting top = meetings_.top();
     const bool holds = from_start_.reached(top.cell) && from_goal_.reached(top.cell);
-    const double cost = holds ? cost_through(top.cell) : kUnreached;
+    const float cost = holds ? cost_through(top.cell) : kUnreached;
     if (cost == top.cost) return top;
     meetings_.pop();
     if (cost < kUnreached && cost > top.cost) meetings_.push({cost, top.cell});
@@ -109,8 +109,8 @@ bool ChannelSearch::find(std::vector<CellId>& channel) {
   from_goal_.mend();
   Meeting meeting = best_meeting();
   for (;;) {
-    const double start_key = from_start_.next_key();
-    const double goal_key = from_goal_.next_key();
+    const float start_key = from_start_.next_key();
+    const float goal_key = from_goal_.next_key();
     if (start_key + goal_key >= meeting.cost) break;
     (start_key <= goal_key ? from_start_ : from_goal_).settle_next();
     meeting = best_meeting();

@@ -51,14 +51,14 @@ class ChannelSearch {
  private:
   // A leaf that both trees have reached, and the cost of the channel through it.
   struct Meeting {
-    double cost;
+    float cost;
     CellId cell;
     bool operator<(const Meeting& other) const {
       return cost > other.cost || (cost == other.cost && cell > other.cell);
     }
   };
 
-  [[nodiscard]] double cost_through(CellId cell) const;
+  [[nodiscard]] float cost_through(CellId cell) const;
   void note_meetings();
   // Cheapest meeting that still holds; its cost is kUnreached if there is none.
   Meeting best_meeting();

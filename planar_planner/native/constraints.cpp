@@ -40,7 +40,8 @@ void ConstraintStore::Pool<T>::release(const std::uint32_t at, const std::uint32
 
 ConstraintStore::Handle ConstraintStore::store(const ConstraintList& list) {
   return {pairs_.store(list.pairs), static_cast<std::uint32_t>(list.pairs.size()),
-          constraints_.store(list.constraints), static_cast<std::uint32_t>(list.constraints.size())};
+          constraints_.store(list.constraints),
+          static_cast<std::uint32_t>(list.constraints.size())};
 }
 
 void ConstraintStore::release(Handle& handle) {

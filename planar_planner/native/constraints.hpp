@@ -11,8 +11,8 @@
 namespace planner {
 
 // robot == kNode: `obstacle` is a node of the obstacle tree and `count` is 0. Otherwise `obstacle`
-// and `robot` are pieces and `count` constraints belong to the pair; count 0: the pair is closed, no
-// separating-axis function of it has been looked at yet.
+// and `robot` are pieces and `count` constraints belong to the pair; count 0: the pair is closed,
+// no separating-axis function of it has been looked at yet.
 struct PairHeader {
   std::uint32_t obstacle;
   std::uint16_t robot;
@@ -20,7 +20,9 @@ struct PairHeader {
 };
 inline constexpr std::uint16_t kNode = UINT16_MAX;
 
-inline bool closed(const PairHeader& header) { return header.count == 0; }
+inline bool closed(const PairHeader& header) {
+  return header.count == 0;
+}
 
 struct ConstraintList {
   std::vector<PairHeader> pairs;
@@ -37,7 +39,9 @@ struct ConstraintView {
   std::span<const pdg::Constraint> constraints;
 };
 
-inline ConstraintView view(const ConstraintList& list) { return {list.pairs, list.constraints}; }
+inline ConstraintView view(const ConstraintList& list) {
+  return {list.pairs, list.constraints};
+}
 
 // Lists of all leaves in one place: pairs and constraints of a cell are two runs of 8-byte records.
 // Freed runs are reused by size class (powers of two).

@@ -1,6 +1,6 @@
 // A robot that is nearly a disc about its reference point hardly needs theta. A polygon round it in
-// every orientation that finds a way by translation alone gives a path; a polygon inside it in every
-// orientation that has none proves that there is none.
+// every orientation that finds a way by translation alone gives a path; a polygon inside it in
+// every orientation that has none proves that there is none.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace planner {
 
 // The scene with a fixed, regular polygon for a robot.
 struct DiscScenes {
-  Scene round;   // holds the robot in every orientation, up to rounding: its path is certified again
+  Scene round;  // holds the robot in every orientation, up to rounding: its path is certified again
   Scene inside;  // lies inside the robot in every orientation, exactly
 };
 

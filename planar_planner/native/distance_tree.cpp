@@ -6,13 +6,15 @@ namespace planner {
 
 namespace {
 
-// An orphan keeps its distance if that undercuts its new way by at most this part of its own cost ...
-constexpr double kSlackDown = 0.6;
-// ... and a reached leaf is told of a shorter way if that saves more than this part of its own cost.
-constexpr double kSlackUp = 0.3;
+// An orphan keeps its distance if that undercuts its new way by at most this part of its own cost
+// ...
+constexpr float kSlackDown = 0.6F;
+// ... and a reached leaf is told of a shorter way if that saves more than this part of its own
+// cost.
+constexpr float kSlackUp = 0.3F;
 
 // More than any channel without exhausted cells and doubtful links can cost.
-constexpr double kBarrier = 1e15;
+constexpr float kBarrier = 1e15F;
 
 }  // namespace
 
@@ -33,16 +35,16 @@ void DistanceTree::reset(const CellId root) {
 void DistanceTree::refresh(const CellId cell) {
   const Cell& c = subdivision_.cell(cell);
   nodes_[cell] = Node{};
-  nodes_[cell].cost = c.exhausted ? static_cast<float>(kBarrier) : c.cost;
+  nodes_[cell].cost = c.exhausted ? kBarrier : c.cost;
   if (c.label == Label::kFull) nodes_[cell].cost = -1.0F;
 }
 
-double DistanceTree::step_cost(const CellId from, const CellId to) const {
+float DistanceTree::step_cost(const CellId from, const CellId to) const {
   if (doubtful_.empty() || !doubtful_.contains(link_key(from, to))) return cost(to);
   return cost(to) + kBarrier;
 }
 
-void DistanceTree::place(const CellId cell, const double distance, const CellId predecessor) {
+void DistanceTree::place(const CellId cell, const float distance, const CellId predecessor) {
   Node& node = nodes_[cell];
   node.distance = node.queued = distance;
   node.predecessor = predecessor;
@@ -91,7 +93,7 @@ void DistanceTree::after_split(const CellId lower, const CellId upper, const Cel
 }
 
 void DistanceTree::on_exhausted(const CellId cell) {
-  nodes_[cell].cost = static_cast<float>(kBarrier);
+  nodes_[cell].cost = kBarrier;
   orphan(cell);
 }
 
@@ -101,13 +103,13 @@ void DistanceTree::on_link_lost(const CellId a, const CellId b) {
 }
 
 // A reached neighbour that is nearer than the orphan was cannot hang below it.
-bool DistanceTree::adopt(const CellId cell, const double old_distance) {
-  double best = kUnreached;
+bool DistanceTree::adopt(const CellId cell, const float old_distance) {
+  float best = kUnreached;
   CellId from = kNoCell;
   for (const CellId next : subdivision_.cell(cell).neighbours) {
     if (nodes_[next].distance >= old_distance) continue;
-    const double cost = step_cost(next, cell);
-    if (nodes_[next].distance + (1.0 - kSlackDown) * cost > old_distance) continue;
+    const float cost = step_cost(next, cell);
+    if (nodes_[next].distance + (1.0F - kSlackDown) * cost > old_distance) continue;
     if (nodes_[next].distance + cost < best) {
       best = nodes_[next].distance + cost;
       from = next;
@@ -135,17 +137,17 @@ void DistanceTree::mend() {
     return step.key == node.queued && step.key < node.distance;
   });
   // The root is reached before anything is asked: a tree that cannot grow is then a component.
-  if (!reached(root_)) settle({0.0, root_, kNoCell});
+  if (!reached(root_)) settle({0.0F, root_, kNoCell});
 }
 
 // The cheapest way into a leaf from a reached neighbour; key kUnreached if there is none.
 DistanceTree::Step DistanceTree::cheapest_step(const CellId cell) const {
   Step best{kUnreached, cell, kNoCell};
   if (nodes_[cell].cost < 0.0F) return best;
-  if (cell == root_) return {0.0, cell, kNoCell};
+  if (cell == root_) return {0.0F, cell, kNoCell};
   for (const CellId next : subdivision_.cell(cell).neighbours) {
     if (nodes_[next].distance == kUnreached) continue;
-    const double key = nodes_[next].distance + step_cost(next, cell);
+    const float key = nodes_[next].distance + step_cost(next, cell);
     if (key < best.key) best = {key, cell, next};
   }
   return best;
@@ -166,7 +168,7 @@ bool DistanceTree::holds(const Step& step) const {
          nodes_[step.from].distance + step_cost(step.from, step.cell) <= step.key;
 }
 
-double DistanceTree::next_key() {
+float DistanceTree::next_key() {
   while (!open_.empty()) {
     const Step step = open_.top();
     Node& node = nodes_[step.cell];
@@ -193,8 +195,8 @@ void DistanceTree::settle(const Step& step) {
   place(step.cell, step.key, step.from);
   for (const CellId next : subdivision_.cell(step.cell).neighbours) {
     Node& node = nodes_[next];
-    const double cost = step_cost(step.cell, next);
-    const double key = step.key + cost;
+    const float cost = step_cost(step.cell, next);
+    const float key = step.key + cost;
     const bool better = node.distance == kUnreached || key < node.distance - kSlackUp * cost;
     if (!better || key >= node.queued) continue;
     node.queued = key;

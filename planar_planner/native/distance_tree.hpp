@@ -2,9 +2,9 @@
 // split instead of being built anew.
 //
 // A leaf that loses its predecessor looks for another one that is no farther, and only if there is
-// none does its branch get new distances. Distances may be off by a stated part of each step's cost,
-// which saves most of the mending; what is reachable is exact. The tree is grown only as far as its
-// caller asks.
+// none does its branch get new distances. Distances may be off by a stated part of each step's
+// cost, which saves most of the mending; what is reachable is exact. The tree is grown only as far
+// as its caller asks.
 //
 // Invariant: every reached leaf but the root has a live, reached predecessor among its neighbours
 // that is strictly nearer, so that predecessors lead to the root.
@@ -21,7 +21,8 @@
 
 namespace planner {
 
-inline constexpr double kUnreached = std::numeric_limits<double>::infinity();
+// Costs guide the search and prove nothing: single precision is enough.
+inline constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
 // Links that could not be decided; passing one costs more than any channel without.
 using DoubtfulLinks = std::unordered_set<std::uint64_t>;
@@ -33,8 +34,8 @@ class DistanceTree {
 
   void reset(CellId root);
 
-  // A leaf is about to be split, and has been: its lower half keeps its id, `upper` is new; `root` is
-  // the root's leaf afterwards.
+  // A leaf is about to be split, and has been: its lower half keeps its id, `upper` is new; `root`
+  // is the root's leaf afterwards.
   void before_split(CellId cell);
   void after_split(CellId lower, CellId upper, CellId root);
   // Other changes of the graph, told after they happened.
@@ -44,12 +45,12 @@ class DistanceTree {
   // Re-attaches what lost its predecessor and reaches the root. Call before growing.
   void mend();
   // Distance of the next leaf to be settled, or kUnreached. Drops stale entries.
-  double next_key();
+  float next_key();
   void settle_next();
 
   [[nodiscard]] bool reached(CellId cell) const { return nodes_[cell].distance < kUnreached; }
-  [[nodiscard]] double distance(CellId cell) const { return nodes_[cell].distance; }
-  [[nodiscard]] double cost(CellId cell) const { return static_cast<double>(nodes_[cell].cost); }
+  [[nodiscard]] float distance(CellId cell) const { return nodes_[cell].distance; }
+  [[nodiscard]] float cost(CellId cell) const { return nodes_[cell].cost; }
   // kNoCell at the root.
   [[nodiscard]] CellId predecessor(CellId cell) const { return nodes_[cell].predecessor; }
   [[nodiscard]] CellId root() const { return root_; }
@@ -60,13 +61,13 @@ class DistanceTree {
 
  private:
   struct Node {
-    double distance = kUnreached;  // including the cell's own cost
-    double queued = kUnreached;    // least valid key in open_
-    float cost = 0.0F;             // of stepping into the cell; negative: FULL
+    float distance = kUnreached;  // including the cell's own cost
+    float queued = kUnreached;    // least valid key in open_
+    float cost = 0.0F;            // of stepping into the cell; negative: FULL
     CellId predecessor = kNoCell;
   };
   struct Step {
-    double key;
+    float key;
     CellId cell;
     CellId from;
     bool operator<(const Step& other) const {  // LazyQueue: cheapest first
@@ -75,15 +76,15 @@ class DistanceTree {
   };
 
   void refresh(CellId cell);
-  [[nodiscard]] double step_cost(CellId from, CellId to) const;
+  [[nodiscard]] float step_cost(CellId from, CellId to) const;
   void orphan(CellId cell);
   void orphan_successors(CellId cell);
-  bool adopt(CellId cell, double old_distance);
+  bool adopt(CellId cell, float old_distance);
   [[nodiscard]] Step cheapest_step(CellId cell) const;
   [[nodiscard]] bool holds(const Step& step) const;
   void offer(CellId cell);
   void settle(const Step& step);
-  void place(CellId cell, double distance, CellId predecessor);
+  void place(CellId cell, float distance, CellId predecessor);
 
   const Subdivision& subdivision_;
   const DoubtfulLinks& doubtful_;

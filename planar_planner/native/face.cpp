@@ -12,7 +12,9 @@ namespace {
 constexpr int kFaceDepth = 10;
 constexpr int kFaceBudget = 48;
 
-std::uint64_t middle(const std::uint64_t low, const std::uint64_t size) { return low + size / 2; }
+std::uint64_t middle(const std::uint64_t low, const std::uint64_t size) {
+  return low + size / 2;
+}
 
 int widest_axis(const pdg::Motion& m, const double radius, const Extent& face) {
   const std::array<double, 3> width{m.g1.x, m.g2.y, radius * m.half_angle};

@@ -13,8 +13,8 @@ namespace planner {
 
 // A free configuration on a common face, seen by the guards on both sides.
 struct Connector {
-  Vec2 t;                  // planner units
-  std::uint64_t turns = 0; // dyadic, in [0, 2^60]; 2^60 and 0 are the same angle
+  Vec2 t;                   // planner units
+  std::uint64_t turns = 0;  // dyadic, in [0, 2^60]; 2^60 and 0 are the same angle
 };
 
 enum class LinkState : std::uint8_t {
@@ -31,7 +31,9 @@ struct Link {
 class FaceTest {
  public:
   FaceTest(const Subdivision& subdivision, Labeller& labeller, Statistics& statistics)
-      : subdivision_(subdivision), labeller_(labeller), statistics_(statistics),
+      : subdivision_(subdivision),
+        labeller_(labeller),
+        statistics_(statistics),
         star_(labeller.robot(), labeller.tree()),
         joint_(labeller.robot(), labeller.tree()) {}
 

@@ -36,9 +36,9 @@ void JointTest::collect(const Motion& motion, const pdg::PosedRobot& posed,
       const ConvexPiece& b = tree_.piece(header.obstacle);
       const Constraint& c = list.constraints[at];
       const double error = pdg::separation_error(*a.piece, b, motion);
-      const std::size_t ring =
-          c.owner == EdgeOwner::kObstacle ? a.vertices.size() : b.edges.size();
-      for (std::size_t i = 0; i < c.count; ++i) add_term(motion, a, b, c, (c.first + i) % ring, error);
+      const std::size_t ring = c.owner == EdgeOwner::kObstacle ? a.vertices.size() : b.edges.size();
+      for (std::size_t i = 0; i < c.count; ++i)
+        add_term(motion, a, b, c, (c.first + i) % ring, error);
     }
     at += header.count;
   }
@@ -129,8 +129,8 @@ bool JointTest::find_weights(const Motion& m) {
     double steepest = 0.0;
     for (std::size_t k = 0; k < columns_.size(); ++k) {
       const Column& g = columns_[k];
-      const double reduced = costs_[k] - prices[0] * g[0] - prices[1] * g[1] - prices[2] * g[2] -
-                             prices[3] * g[3];
+      const double reduced =
+          costs_[k] - prices[0] * g[0] - prices[1] * g[1] - prices[2] * g[2] - prices[3] * g[3];
       if (reduced < steepest) {
         steepest = reduced;
         entering = k;
@@ -139,8 +139,7 @@ bool JointTest::find_weights(const Motion& m) {
     if (entering == columns_.size()) return false;  // optimal, and not negative
     Column direction{};
     for (std::size_t i = 0; i < kRows; ++i)
-      for (std::size_t j = 0; j < kRows; ++j)
-        direction[i] += inverse[i][j] * columns_[entering][j];
+      for (std::size_t j = 0; j < kRows; ++j) direction[i] += inverse[i][j] * columns_[entering][j];
     std::size_t leaving = kRows;
     double step = INFINITY;
     for (std::size_t i = 0; i < kRows; ++i)
@@ -182,8 +181,7 @@ bool JointTest::proves(const Motion& m) const {
     largest = std::max(largest, t.error);
   }
   const double extent = std::abs(dot(sum.normal, m.g1)) + std::abs(dot(sum.normal, m.g2));
-  const double bound =
-      pdg::sinusoid_range(sum.v, sum.w, m).hi + sum.value + sum.bend + extent;
+  const double bound = pdg::sinusoid_range(sum.v, sum.w, m).hi + sum.value + sum.bend + extent;
   // Each term errs by at most `largest`; sums of a few weighted terms stay within twice that.
   return bound < -2.0 * largest * total;
 }

@@ -1,6 +1,6 @@
-// Joint obstruction: a cell can lie in C-obstacle although no single pair covers it. Where a pair has
-// one active separating axis left, a free configuration satisfies s_k(q) >= 0 for every vertex of
-// it. If weights lambda_k >= 0 exist with
+// Joint obstruction: a cell can lie in C-obstacle although no single pair covers it. Where a pair
+// has one active separating axis left, a free configuration satisfies s_k(q) >= 0 for every vertex
+// of it. If weights lambda_k >= 0 exist with
 //     max over the cell of  sum_k lambda_k s_k(q)  <  0,
 // no configuration of the cell is free (Farkas' lemma). Obstacle edges contribute
 // n . t + v cos(delta) + w sin(delta) - d, robot edges the same with n = -M up to a second-order

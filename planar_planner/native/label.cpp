@@ -30,9 +30,9 @@ struct Labeller::Pass {
   ConstraintList& out;
   Vec2 extent;  // half-extents of the translations along x and y
   LabelResult result;
-  double least = INFINITY;      // separation of the deepest open pair in `out`
-  std::size_t deepest = 0;      // its place among the pairs
-  std::size_t deepest_at = 0;   // and of its first constraint
+  double least = INFINITY;     // separation of the deepest open pair in `out`
+  std::size_t deepest = 0;     // its place among the pairs
+  std::size_t deepest_at = 0;  // and of its first constraint
 };
 
 namespace {
@@ -42,9 +42,9 @@ Vec2 box_extent(const Motion& m) {
   return {std::abs(m.g1.x) + std::abs(m.g2.x), std::abs(m.g1.y) + std::abs(m.g2.y)};
 }
 
-// A pair stays closed while the motion radius exceeds this part of its circles' radii: such a cell is
-// hardly ever FULL and not worth the pair's functions yet. Smaller opens later: less work a cell,
-// weaker labels. Measured; any positive value is sound.
+// A pair stays closed while the motion radius exceeds this part of its circles' radii: such a cell
+// is hardly ever FULL and not worth the pair's functions yet. Smaller opens later: less work a
+// cell, weaker labels. Measured; any positive value is sound.
 constexpr double kOpeningFactor = 0.5;
 
 }  // namespace
@@ -81,8 +81,8 @@ LabelResult Labeller::label(const Motion& motion, const pdg::PosedRobot& posed,
     else if (closed(header))
       go_on = visit_closed_pair(pass, header.obstacle, header.robot);
     else
-      go_on = judge(pass, header.obstacle, header.robot,
-                    parent.constraints.subspan(at, header.count));
+      go_on =
+          judge(pass, header.obstacle, header.robot, parent.constraints.subspan(at, header.count));
     at += header.count;
     if (!go_on) return pass.result;
   }
@@ -143,8 +143,8 @@ bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
   if (motion_radius > kOpeningFactor * (a.radius + b.radius)) {
     pass.out.pairs.push_back({obstacle, robot, 0});
     const double inner = a.inner_radius + b.inner_radius;
-    result.separation = std::min(
-        result.separation, pdg::norm(between) - 0.5 * (a.radius + b.radius + inner));
+    result.separation =
+        std::min(result.separation, pdg::norm(between) - 0.5 * (a.radius + b.radius + inner));
     result.turning_radius = std::max(result.turning_radius, a.reach);
     return true;
   }
@@ -156,9 +156,9 @@ bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
 bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16_t robot,
                      const std::span<const pdg::Constraint> active) {
   const std::size_t before = pass.out.constraints.size();
-  const pdg::PairVerdict verdict = pdg::judge_pair(
-      posed_piece(robot_, pass.posed, robot), tree_.piece(obstacle), pass.motion, active,
-      pass.out.constraints, statistics_.separation_evaluations);
+  const pdg::PairVerdict verdict =
+      pdg::judge_pair(posed_piece(robot_, pass.posed, robot), tree_.piece(obstacle), pass.motion,
+                      active, pass.out.constraints, statistics_.separation_evaluations);
   LabelResult& result = pass.result;
   switch (verdict.label) {
     case pdg::PairLabel::kApart:
@@ -169,7 +169,8 @@ bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16
       result.witness = {obstacle, robot};
       result.separation = verdict.centre;
       return false;
-    case pdg::PairLabel::kUndecided: break;
+    case pdg::PairLabel::kUndecided:
+      break;
   }
   pass.out.pairs.push_back(
       {obstacle, robot, static_cast<std::uint16_t>(pass.out.constraints.size() - before)});

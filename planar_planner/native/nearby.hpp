@@ -55,8 +55,7 @@ template <class Visit>
 void visit_nearby_pairs(const Robot& robot, ObstacleTree& tree, const pdg::Motion& motion,
                         const pdg::Rotation rotation, const double within, const Visit& visit) {
   for (std::uint32_t wall = 0; wall < tree.wall_count(); ++wall) visit(wall, robot.hull());
-  if (!tree.empty())
-    visit_node_pairs(robot, tree, tree.root(), motion, rotation, within, visit);
+  if (!tree.empty()) visit_node_pairs(robot, tree, tree.root(), motion, rotation, within, visit);
 }
 
 }  // namespace planner

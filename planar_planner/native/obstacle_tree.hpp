@@ -14,9 +14,9 @@ inline constexpr std::uint32_t kNoPiece = UINT32_MAX;
 inline constexpr std::uint32_t kWall = UINT32_MAX;  // polygon_of_piece of a wall
 
 struct TreeNode {
-  Vec2 low, high;                  // bounds of everything below, rounded outwards
-  double largest_leaf = 0.0;       // bounds the radius of any convex piece below
-  std::uint32_t begin = 0;         // range of items
+  Vec2 low, high;             // bounds of everything below, rounded outwards
+  double largest_leaf = 0.0;  // bounds the radius of any convex piece below
+  std::uint32_t begin = 0;    // range of items
   std::uint32_t end = 0;
   std::uint32_t left = 0;          // children left, left + 1; 0 while not expanded
   std::uint32_t piece = kNoPiece;  // of a leaf that is one convex piece

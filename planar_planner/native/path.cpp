@@ -50,8 +50,8 @@ std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest
   return std::nullopt;
 }
 
-void shorten(const Problem& problem, ObstacleTree& tree, SegmentTest& test, std::vector<Configuration>& path,
-             const Terminator& stop) {
+void shorten(const Problem& problem, ObstacleTree& tree, SegmentTest& test,
+             std::vector<Configuration>& path, const Terminator& stop) {
   ClearanceBounds clearance;
   for (std::size_t i = 0; i + 1 < path.size() && !stop(); ++i)
     bound_clearance(problem, tree, pose_of(problem, path[i]), pose_of(problem, path[i + 1]),

@@ -22,8 +22,8 @@ struct PathReport {
   double least_clearance = 0.0;          // certified lower bound, user's units
 };
 
-// start -> guards and connectors -> goal. links[i] joins channel[i] and channel[i + 1]; owners[k] is
-// the leaf that holds segment k.
+// start -> guards and connectors -> goal. links[i] joins channel[i] and channel[i + 1]; owners[k]
+// is the leaf that holds segment k.
 std::vector<Configuration> assemble_path(const Problem& problem, const Subdivision& subdivision,
                                          const std::vector<CellId>& channel,
                                          const std::vector<Connector>& links,
@@ -37,8 +37,8 @@ std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest
 
 // Drops waypoints while every new segment is certified to keep half of the path's least clearance.
 // Deterministic; never longer. A certified path stays one when the terminator strikes.
-void shorten(const Problem& problem, ObstacleTree& tree, SegmentTest& test, std::vector<Configuration>& path,
-             const Terminator& stop);
+void shorten(const Problem& problem, ObstacleTree& tree, SegmentTest& test,
+             std::vector<Configuration>& path, const Terminator& stop);
 
 PathReport report_path(const Problem& problem, ObstacleTree& tree,
                        std::vector<Configuration> waypoints);

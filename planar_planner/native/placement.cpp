@@ -12,14 +12,15 @@ namespace planner {
 
 namespace {
 
-// Directions and lengths that a way out of a contact is looked for in: a full turn in 64 steps, from
-// 4^-6 of the tolerance upwards.
+// Directions and lengths that a way out of a contact is looked for in: a full turn in 64 steps,
+// from 4^-6 of the tolerance upwards.
 constexpr int kDirections = 64;
 constexpr int kLengths = 7;
 // Pairs whose circles are this far apart (planner units) do not touch, whatever the rounding.
 constexpr double kTouching = 0x1p-20;
 
-pdg::ConvexPolygon turned(const pdg::ConvexPiece& piece, const pdg::Rotation rotation, const Vec2 t) {
+pdg::ConvexPolygon turned(const pdg::ConvexPiece& piece, const pdg::Rotation rotation,
+                          const Vec2 t) {
   pdg::ConvexPolygon out;
   for (const pdg::Edge& edge : piece.edges) out.push_back(pdg::rotate(rotation, edge.vertex) + t);
   return out;

@@ -22,8 +22,8 @@ enum class PlacementState : std::uint8_t {
 
 struct Placement {
   PlacementState state = PlacementState::kFree;
-  bool wall = false;            // kColliding, kContact: the workspace, not an obstacle
-  std::int64_t obstacle = -1;   // kColliding: polygon of the deepest pair; -1 for a wall
+  bool wall = false;           // kColliding, kContact: the workspace, not an obstacle
+  std::int64_t obstacle = -1;  // kColliding: polygon of the deepest pair; -1 for a wall
   std::uint32_t robot_polygon = 0;
   double depth = 0.0;      // kColliding: max over pairs of PD^t; kOutside: distance; user's units
   double clearance = 0.0;  // kFree: certified lower bound, user's units

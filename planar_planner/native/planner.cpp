@@ -50,9 +50,9 @@ bool Planner::ends_not_free(Query& query) {
     // Where rounding cannot tell touching from penetration, neither a path nor its absence can be
     // certified from here.
     if (p.state == PlacementState::kContact)
-      query.conclude(Verdict::kUndecided,
-                     "the " + name + " touches " + (p.wall ? "the workspace" : "an obstacle") +
-                         ": allow it to be moved off by a contact tolerance");
+      query.conclude(Verdict::kUndecided, "the " + name + " touches " +
+                                              (p.wall ? "the workspace" : "an obstacle") +
+                                              ": allow it to be moved off by a contact tolerance");
     else
       query.conclude(Verdict::kNoPath, "the " + name + " is not free", name);
     return true;
@@ -110,8 +110,8 @@ Answer Planner::ask_disc(Planner& disc, Query& query) {
   Limits limits = query.limits;
   limits.max_cells = std::min(limits.max_cells, kDiscCells);
   limits.timeout -= query.elapsed();
-  Answer answer = disc.solve({query.start.x, query.start.y, 0.0},
-                             {query.goal.x, query.goal.y, 0.0}, limits, query.listener);
+  Answer answer = disc.solve({query.start.x, query.start.y, 0.0}, {query.goal.x, query.goal.y, 0.0},
+                             limits, query.listener);
   statistics_ += answer.statistics;
   query.answer.cells_by_label = answer.cells_by_label;
   query.answer.cells_by_level = answer.cells_by_level;
@@ -135,15 +135,16 @@ void Planner::subdivide(Query& query) {
   Refinement(problem_, *tree_, *subdivision_, *faces_, *segments_, statistics_, query).run();
 }
 
-// A lifted end stands for the user's: its path gets a first or last leg within the tolerance. That it
-// has no path says nothing certain of the user's own.
+// A lifted end stands for the user's: its path gets a first or last leg within the tolerance. That
+// it has no path says nothing certain of the user's own.
 void Planner::settle_lifted_ends(Query& query, const Configuration& start,
                                  const Configuration& goal) const {
   if (!query.lifted) return;
   if (query.answer.verdict == Verdict::kNoPath)
-    query.conclude(Verdict::kUndecided,
-                   "no path from where the contact tolerance moved the ends; that proves nothing of "
-                   "the ends themselves");
+    query.conclude(
+        Verdict::kUndecided,
+        "no path from where the contact tolerance moved the ends; that proves nothing of "
+        "the ends themselves");
   std::vector<Configuration>& path = query.answer.path.waypoints;
   if (path.empty()) return;
   const auto same = [](const Configuration& a, const Configuration& b) {

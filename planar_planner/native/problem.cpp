@@ -27,9 +27,10 @@ void append_outside(Scene& scene, const Polygon& workspace, const Rectangle& bou
 
 pdg::Frame make_frame(const Rectangle& bounds) {
   pdg::Frame frame;
-  frame.origin = {0.5 * bounds.low.x + 0.5 * bounds.high.x, 0.5 * bounds.low.y + 0.5 * bounds.high.y};
-  const double half = std::max(0.5 * bounds.high.x - 0.5 * bounds.low.x,
-                               0.5 * bounds.high.y - 0.5 * bounds.low.y);
+  frame.origin = {0.5 * bounds.low.x + 0.5 * bounds.high.x,
+                  0.5 * bounds.low.y + 0.5 * bounds.high.y};
+  const double half =
+      std::max(0.5 * bounds.high.x - 0.5 * bounds.low.x, 0.5 * bounds.high.y - 0.5 * bounds.low.y);
   frame.exponent = half > 0.0 ? -std::ilogb(half) - 1 : 0;
   return frame;
 }
@@ -82,7 +83,8 @@ Problem make_problem(Scene scene) {
     return Rectangle{to_planner(problem, r.low), to_planner(problem, r.high)};
   };
   if (body) problem.walls = make_walls(framed(*body));
-  Rectangle domain = body ? reachable(framed(*body), problem.robot) : framed(*scene.reference_bounds);
+  Rectangle domain =
+      body ? reachable(framed(*body), problem.robot) : framed(*scene.reference_bounds);
   if (body && scene.reference_bounds) {
     const Rectangle both = intersection(domain, framed(*scene.reference_bounds));
     if (both.low.x <= both.high.x && both.low.y <= both.high.y) domain = both;

@@ -19,7 +19,7 @@ struct Domain {
 };
 
 struct Problem {
-  Scene scene;  // with a polygonal workspace's outside appended to the obstacles
+  Scene scene;                     // with a polygonal workspace's outside appended to the obstacles
   std::size_t user_obstacles = 0;  // obstacles from here on bound the workspace
   pdg::Frame frame;
   Robot robot;

@@ -11,15 +11,15 @@ namespace {
 // The listener is called at most this often.
 constexpr double kListenerPeriod = 0.1;  // seconds
 
-// A round splits the channel's MIXED cells down to this fraction of the largest one's size. Smaller:
-// more cells in dead ends; larger: more rounds. Measured over the shipped families; any value in
-// (0, 1] is sound.
+// A round splits the channel's MIXED cells down to this fraction of the largest one's size.
+// Smaller: more cells in dead ends; larger: more rounds. Measured over the shipped families; any
+// value in (0, 1] is sound.
 constexpr float kBatch = 0.7F;
 
 }  // namespace
 
-Refinement::Refinement(const Problem& problem, ObstacleTree& tree, Subdivision& subdivision, FaceTest& faces,
-                       SegmentTest& segments, Statistics& statistics, Query& query)
+Refinement::Refinement(const Problem& problem, ObstacleTree& tree, Subdivision& subdivision,
+                       FaceTest& faces, SegmentTest& segments, Statistics& statistics, Query& query)
     : problem_(problem),
       tree_(tree),
       subdivision_(subdivision),
@@ -109,12 +109,16 @@ bool Refinement::link(const std::vector<CellId>& channel) {
     const CellId b = channel[i + 1];
     const Link link = faces_.test(a, b);
     switch (link.state) {
-      case LinkState::kOpen: connectors_.push_back(link.connector); break;
+      case LinkState::kOpen:
+        connectors_.push_back(link.connector);
+        break;
       case LinkState::kBlocked:
         subdivision_.disconnect(a, b);
         search_.on_disconnected(a, b);
         return false;
-      case LinkState::kDoubtful: resolve_doubt(a, b); return false;
+      case LinkState::kDoubtful:
+        resolve_doubt(a, b);
+        return false;
     }
   }
   return true;
@@ -173,8 +177,14 @@ bool Refinement::stop() {
   Answer census;
   take_census(subdivision_, census);
   const auto& n = census.cells_by_label;
-  const Progress progress{elapsed, subdivision_.size(), n[0], n[1], n[2], n[3],
-                          statistics_.channel_length, statistics_.search_rounds};
+  const Progress progress{elapsed,
+                          subdivision_.size(),
+                          n[0],
+                          n[1],
+                          n[2],
+                          n[3],
+                          statistics_.channel_length,
+                          statistics_.search_rounds};
   return query_.listener(progress) ? false : reached("interrupted");
 }
 
@@ -197,7 +207,8 @@ void take_census(const Subdivision& subdivision, Answer& answer) {
   for (CellId id = 0; id < subdivision.size(); ++id) {
     const Cell& cell = subdivision.cell(id);
     ++answer.cells_by_label[static_cast<std::size_t>(cell.label)];
-    const std::size_t level = std::size_t{cell.box.level[0]} + cell.box.level[1] + cell.box.level[2];
+    const std::size_t level =
+        std::size_t{cell.box.level[0]} + cell.box.level[1] + cell.box.level[2];
     if (answer.cells_by_level.size() <= level) answer.cells_by_level.resize(level + 1);
     ++answer.cells_by_level[level];
   }

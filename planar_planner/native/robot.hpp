@@ -17,8 +17,9 @@ struct Robot {
   std::vector<std::uint32_t> polygon_of_piece;  // index into the scene's robot polygons; hull: 0
   std::vector<std::uint32_t> first_vertex;      // of each piece in PosedRobot's arrays, and the end
   std::size_t vertex_total = 0;
-  double reach = 0.0;        // max |a|, rounded up
-  double inner_reach = 0.0;  // radius of a disc about the origin inside one piece, rounded down; or 0
+  double reach = 0.0;  // max |a|, rounded up
+  double inner_reach =
+      0.0;  // radius of a disc about the origin inside one piece, rounded down; or 0
   double hull_distance = 0.0;  // distance of the origin from the hull, rounded up; 0 inside
 
   [[nodiscard]] std::size_t body_pieces() const { return pieces.size() - 1; }

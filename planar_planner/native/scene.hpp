@@ -32,12 +32,12 @@ struct PolygonSet {
 };
 
 struct Scene {
-  PolygonSet robot;                            // robot frame
-  PolygonSet obstacles;                        // world frame
-  std::optional<Rectangle> box;                // the whole robot stays inside
-  std::optional<Polygon> workspace;            // the whole robot stays inside
-  std::optional<Rectangle> reference_bounds;   // the reference point stays inside
-  bool rotation = true;                        // false: theta stays at the start's
+  PolygonSet robot;                           // robot frame
+  PolygonSet obstacles;                       // world frame
+  std::optional<Rectangle> box;               // the whole robot stays inside
+  std::optional<Polygon> workspace;           // the whole robot stays inside
+  std::optional<Rectangle> reference_bounds;  // the reference point stays inside
+  bool rotation = true;                       // false: theta stays at the start's
 };
 
 // theta in radians, unwrapped.

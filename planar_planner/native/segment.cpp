@@ -72,7 +72,7 @@ bool SegmentTest::certify_interval(const Pose& from, const Pose& to, const Inter
     list = view(lists_[depth]);
     const bool all_open = std::none_of(list.pairs.begin(), list.pairs.end(), closed);
     if (all_open && !planner::is_free(labeller_.robot(), labeller_.tree(), posed, motion.t,
-                                           motion.reach, list, margin_))
+                                      motion.reach, list, margin_))
       return false;
   }
   return certify_interval(from, to, {interval.begin, middle}, list, depth + 1) &&

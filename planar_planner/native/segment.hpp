@@ -19,7 +19,8 @@ struct Interval {
 
 Pose between(const Pose& from, const Pose& to, double s);
 // The configurations of that part of the segment, coupled (pdg::Motion::turn).
-pdg::Motion motion_along(const Problem& problem, const Pose& from, const Pose& to, Interval interval);
+pdg::Motion motion_along(const Problem& problem, const Pose& from, const Pose& to,
+                         Interval interval);
 inline pdg::Rotation rotation_at(const double theta) {
   return {std::cos(theta), std::sin(theta)};
 }

@@ -14,7 +14,8 @@ double motion_radius(const pdg::Motion& m, const double turning_radius) {
   return pdg::norm({m.g1.x, m.g2.y}) + turning_radius * m.half_angle;
 }
 
-// From the back: what is split is mostly what was added last, also in the long lists of large cells.
+// From the back: what is split is mostly what was added last, also in the long lists of large
+// cells.
 CellId* find_last(std::vector<CellId>& list, const CellId value) {
   for (std::size_t i = list.size(); i-- > 0;)
     if (list[i] == value) return &list[i];
@@ -28,8 +29,8 @@ void erase_value(std::vector<CellId>& list, const CellId value) {
   list.pop_back();
 }
 
-// Does the half of a box that was split along `axis` still share a face with a neighbour of the whole?
-// The other axes have not changed.
+// Does the half of a box that was split along `axis` still share a face with a neighbour of the
+// whole? The other axes have not changed.
 bool still_adjacent(const CellBox& half, const CellBox& neighbour, const int axis) {
   if (half.low[axis] < neighbour.high(axis) && neighbour.low[axis] < half.high(axis)) return true;
   // Not beside the half: either beside the other half, or the face is an end of the split axis.
@@ -40,8 +41,11 @@ bool still_adjacent(const CellBox& half, const CellBox& neighbour, const int axi
 }  // namespace
 
 Subdivision::Subdivision(const CellSpace& space, Labeller& labeller, Statistics& statistics)
-    : space_(space), labeller_(labeller), statistics_(statistics),
-      star_(labeller.robot(), labeller.tree()), joint_(labeller.robot(), labeller.tree()) {
+    : space_(space),
+      labeller_(labeller),
+      statistics_(statistics),
+      star_(labeller.robot(), labeller.tree()),
+      joint_(labeller.robot(), labeller.tree()) {
   ConstraintList root;
   labeller_.root_list(root);
   for (std::uint64_t i = 0; i < (std::uint64_t{1} << root_level()); ++i) {
@@ -62,7 +66,9 @@ Subdivision::Subdivision(const CellSpace& space, Labeller& labeller, Statistics&
 }
 
 // Quarter turns at most: two cells then share at most one face, and half-angles stay below pi/2.
-std::uint8_t Subdivision::root_level() const { return space_.rotation ? 2 : 0; }
+std::uint8_t Subdivision::root_level() const {
+  return space_.rotation ? 2 : 0;
+}
 
 std::uint64_t Subdivision::guard_turns(const CellId id) const {
   const CellBox& box = cells_[id].box;
@@ -94,9 +100,8 @@ CellId Subdivision::locate(const std::array<std::uint64_t, 3>& point) const {
 double Subdivision::turning_radius(const ConstraintView& list) const {
   double radius = 0.0;
   for (const PairHeader& header : list.pairs)
-    radius = std::max(radius, header.robot == kNode
-                                  ? labeller_.robot().reach
-                                  : labeller_.robot().pieces[header.robot].reach);
+    radius = std::max(radius, header.robot == kNode ? labeller_.robot().reach
+                                                    : labeller_.robot().pieces[header.robot].reach);
   return radius;
 }
 
@@ -137,8 +142,8 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
       cell.label = Label::kFull;
       cell.joint = true;
       ++statistics_.joint_cells;
-    } else if (++statistics_.star_tests; const auto guard =
-                   star_.find_guard(motion, posed, view(child_list_))) {
+    } else if (++statistics_.star_tests;
+               const auto guard = star_.find_guard(motion, posed, view(child_list_))) {
       cell.label = Label::kStar;
       cell.guard = static_cast<std::uint32_t>(guards_.size());
       grow(guards_);
@@ -205,8 +210,8 @@ void Subdivision::adopt_neighbours(const CellId lower, const CellId upper, const
   };
   for (const CellId half : {lower, upper}) {
     if (cells_[half].label == Label::kFull) continue;
-    const auto count = std::count_if(old.begin(), old.end(),
-                                     [&](const CellId n) { return touches(half, n); });
+    const auto count =
+        std::count_if(old.begin(), old.end(), [&](const CellId n) { return touches(half, n); });
     cells_[half].neighbours.reserve(static_cast<std::size_t>(count) + 1);
     neighbour_bytes_ += cells_[half].neighbours.capacity() * sizeof(CellId);
   }

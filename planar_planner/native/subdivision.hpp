@@ -27,12 +27,12 @@ constexpr std::uint64_t link_key(const CellId a, const CellId b) {
 struct Cell {
   CellBox box;
   Label label = Label::kMixed;
-  bool exhausted = false;  // at the resolution limit: never split again
-  bool joint = false;      // kFull by several pairs together (joint.hpp), not by `witness`
-  float size = 0.0F;       // motion radius over the robot's reach
-  float cost = 0.0F;       // of crossing it, for a channel
-  std::uint32_t guard = 0;     // kStar: index of the guard
-  std::uint32_t branch = 0;    // whose half it is, times two, plus one if upper
+  bool exhausted = false;    // at the resolution limit: never split again
+  bool joint = false;        // kFull by several pairs together (joint.hpp), not by `witness`
+  float size = 0.0F;         // motion radius over the robot's reach
+  float cost = 0.0F;         // of crossing it, for a channel
+  std::uint32_t guard = 0;   // kStar: index of the guard
+  std::uint32_t branch = 0;  // whose half it is, times two, plus one if upper
   union {
     ConstraintStore::Handle list{};  // kMixed, kStar: what it leaves undecided
     Witness witness;                 // kFull
