@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pdg {
 
@@ -225,6 +226,8 @@ PairVerdict judge_pair(const PosedPiece& a, const ConvexPiece& b, const Motion& 
   const double error = separation_error(*a.piece, b, motion);
   const std::size_t before = remaining.size();
   double centre = -INFINITY;
+  double best = -INFINITY;
+  std::size_t best_at = before;
   for (Constraint c : active) {
     ++evaluations;
     if (c.count >= kQuickVertices && quick_high(a, b, motion, c) < -error) continue;
@@ -234,8 +237,15 @@ PairVerdict judge_pair(const PosedPiece& a, const ConvexPiece& b, const Motion& 
       return {PairLabel::kApart, range.lo - error, 0.0};
     }
     centre = std::max(centre, 0.5 * (range.lo + range.hi));
-    if (range.hi >= -error) remaining.push_back(c);
+    if (range.hi < -error) continue;
+    if (range.lo > best) {
+      best = range.lo;
+      best_at = remaining.size();
+    }
+    remaining.push_back(c);
   }
+  // The likeliest separating axis first: smaller motions meet it at once.
+  if (best_at > before) std::swap(remaining[before], remaining[best_at]);
   const bool overlap = remaining.size() == before;
   return {overlap ? PairLabel::kOverlap : PairLabel::kUndecided, 0.0, centre};
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 double fraction(const std::uint64_t k) {
-  return std::ldexp(static_cast<double>(k), -kCoordinateBits);
+  return std::ldexp(static_cast<double>(k), -static_cast<int>(kCoordinateBits));
 }
 
 struct HalfAngle {
@@ -26,20 +26,20 @@ struct HalfAngle {
 HalfAngle half_angle(const std::uint64_t size) {
   static const auto table = [] {
     std::array<HalfAngle, kCoordinateBits + 1> t{};
-    for (int bit = 0; bit <= kCoordinateBits; ++bit) {
-      const double angle = kTurn * std::ldexp(0.5, bit - kCoordinateBits);
+    for (std::size_t bit = 0; bit <= kCoordinateBits; ++bit) {
+      const double angle = kTurn * 0.5 * fraction(std::uint64_t{1} << bit);
       t[bit] = {angle, std::cos(angle), std::sin(angle)};
     }
     t[kCoordinateBits - 1] = {std::numbers::pi / 2, 0.0, 1.0};
     return t;
   }();
   if (size == 0) return {0.0, 1.0, 0.0};
-  return table[std::bit_width(size) - 1];
+  return table[static_cast<std::size_t>(std::bit_width(size)) - 1];
 }
 
 }  // namespace
 
-Halves halve(const CellBox& box, const int axis) {
+Halves halve(const CellBox& box, const Axis axis) {
   Halves out{box, box};
   ++out.lower.level[axis];
   ++out.upper.level[axis];
@@ -47,27 +47,27 @@ Halves halve(const CellBox& box, const int axis) {
   return out;
 }
 
-bool adjacent(const CellBox& a, const CellBox& b, int& axis) {
-  int touching = -1;
-  for (int k = 0; k < 3; ++k) {
+bool adjacent(const CellBox& a, const CellBox& b, Axis& axis) {
+  Axis touching = kNoAxis;
+  for (Axis k = 0; k < kNoAxis; ++k) {
     if (a.low[k] < b.high(k) && b.low[k] < a.high(k)) continue;  // overlap in the interior
     bool abut = a.high(k) == b.low[k] || b.high(k) == a.low[k];
     if (k == kTheta)
       abut = abut || (a.high(k) == kUnit && b.low[k] == 0) || (b.high(k) == kUnit && a.low[k] == 0);
-    if (!abut || touching >= 0) return false;
+    if (!abut || touching != kNoAxis) return false;
     touching = k;
   }
   axis = touching;
-  return touching >= 0;
+  return touching != kNoAxis;
 }
 
 Extent extent_of(const CellBox& box) {
   return {box.low, {box.size(0), box.size(1), box.size(2)}};
 }
 
-Extent common_face(const CellBox& a, const CellBox& b, const int axis) {
+Extent common_face(const CellBox& a, const CellBox& b, const Axis axis) {
   Extent face;
-  for (int k = 0; k < 3; ++k) {
+  for (Axis k = 0; k < kNoAxis; ++k) {
     face.low[k] = std::max(a.low[k], b.low[k]);
     face.size[k] = std::min(a.high(k), b.high(k)) - face.low[k];
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "pdg/native/motion.hpp"
@@ -10,28 +11,32 @@
 
 namespace planner {
 
-inline constexpr int kCoordinateBits = 60;
+inline constexpr unsigned kCoordinateBits = 60;
 inline constexpr std::uint64_t kUnit = std::uint64_t{1} << kCoordinateBits;
 // Deepest split of one axis: centres of cells stay exact doubles (level + 1 <= 53).
 inline constexpr int kMaxLevel = 50;
 
-enum Axis : int { kX = 0, kY = 1, kTheta = 2 };
+using Axis = std::size_t;
+inline constexpr Axis kX = 0;
+inline constexpr Axis kY = 1;
+inline constexpr Axis kTheta = 2;
+inline constexpr Axis kNoAxis = 3;
 
 struct CellBox {
   std::array<std::uint64_t, 3> low{};
   std::array<std::uint8_t, 3> level{};
 
-  [[nodiscard]] std::uint64_t size(const int axis) const { return kUnit >> level[axis]; }
-  [[nodiscard]] std::uint64_t high(const int axis) const { return low[axis] + size(axis); }
+  [[nodiscard]] std::uint64_t size(const Axis axis) const { return kUnit >> level[axis]; }
+  [[nodiscard]] std::uint64_t high(const Axis axis) const { return low[axis] + size(axis); }
 };
 
 struct Halves {
   CellBox lower, upper;
 };
-Halves halve(const CellBox& box, int axis);
+Halves halve(const CellBox& box, Axis axis);
 
 // The closed boxes share a face of positive area; `axis` is its normal.
-bool adjacent(const CellBox& a, const CellBox& b, int& axis);
+bool adjacent(const CellBox& a, const CellBox& b, Axis& axis);
 
 // A face or a cell as exact extents: axes with size 0 are flat.
 struct Extent {
@@ -40,7 +45,7 @@ struct Extent {
 };
 Extent extent_of(const CellBox& box);
 // The common face of two adjacent boxes with normal `axis`.
-Extent common_face(const CellBox& a, const CellBox& b, int axis);
+Extent common_face(const CellBox& a, const CellBox& b, Axis axis);
 
 // cos and sin of 2 pi k 2^-60, reduced exactly to an eighth of a turn: error below 3 u.
 pdg::Rotation rotation_of_turns(std::uint64_t turns);

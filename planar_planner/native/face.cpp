@@ -16,11 +16,11 @@ std::uint64_t middle(const std::uint64_t low, const std::uint64_t size) {
   return low + size / 2;
 }
 
-int widest_axis(const pdg::Motion& m, const double radius, const Extent& face) {
+Axis widest_axis(const pdg::Motion& m, const double radius, const Extent& face) {
   const std::array<double, 3> width{m.g1.x, m.g2.y, radius * m.half_angle};
-  int widest = -1;
-  for (int k = 0; k < 3; ++k)
-    if (face.size[k] > 1 && (widest < 0 || width[k] > width[widest])) widest = k;
+  Axis widest = kNoAxis;
+  for (Axis k = 0; k < kNoAxis; ++k)
+    if (face.size[k] > 1 && (widest == kNoAxis || width[k] > width[widest])) widest = k;
   return widest;
 }
 
@@ -45,7 +45,7 @@ Link FaceTest::test_face(const CellId a, const CellId b) {
   ++statistics_.faces_tested;
   const Cell& first = subdivision_.cell(a);
   const Cell& second = subdivision_.cell(b);
-  int axis = 0;
+  Axis axis = kNoAxis;
   adjacent(first.box, second.box, axis);
   Extent face = common_face(first.box, second.box, axis);
   if (!subdivision_.space().rotation) face.size[kTheta] = 0;
@@ -96,8 +96,8 @@ Link FaceTest::label_face(const Extent& face, const ConstraintView& parent, cons
   if (const auto guard = star_.find_guard(motion, posed, view(list)))
     return {LinkState::kOpen, {*guard, turns}};
   if (joint_.obstructs(motion, posed, view(list))) return {LinkState::kBlocked, {}};
-  const int axis = widest_axis(motion, result.turning_radius, face);
-  if (depth == 0 || budget <= 0 || axis < 0) return {};
+  const Axis axis = widest_axis(motion, result.turning_radius, face);
+  if (depth == 0 || budget <= 0 || axis == kNoAxis) return {};
   LinkState state = LinkState::kBlocked;
   for (const int half : {0, 1}) {
     Extent part = face;

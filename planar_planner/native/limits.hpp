@@ -11,7 +11,7 @@ struct Limits {
   double resolution = 1e-9;  // smallest cell: motion radius relative to the domain's half-extent
   std::uint64_t max_cells = 5'000'000;
   double timeout = std::numeric_limits<double>::infinity();  // seconds
-  std::uint64_t max_memory = std::uint64_t{4} << 30;         // bytes
+  std::uint64_t max_memory = std::uint64_t{4} << 30U;        // bytes
   double contact_tolerance = 0.0;                            // user's length unit
 };
 

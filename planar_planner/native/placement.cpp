@@ -22,6 +22,7 @@ constexpr double kTouching = 0x1p-20;
 pdg::ConvexPolygon turned(const pdg::ConvexPiece& piece, const pdg::Rotation rotation,
                           const Vec2 t) {
   pdg::ConvexPolygon out;
+  out.reserve(piece.edges.size());
   for (const pdg::Edge& edge : piece.edges) out.push_back(pdg::rotate(rotation, edge.vertex) + t);
   return out;
 }
@@ -46,6 +47,7 @@ double wall_depth(const pdg::ConvexPolygon& hull, const pdg::Edge& wall) {
 Deepest deepest_pair(const Problem& problem, ObstacleTree& tree, const pdg::Motion& motion,
                      const pdg::Rotation rotation) {
   std::vector<pdg::ConvexPolygon> bodies;
+  bodies.reserve(problem.robot.pieces.size());
   for (const pdg::ConvexPiece& piece : problem.robot.pieces)
     bodies.push_back(turned(piece, rotation, motion.t));
   Deepest deepest;

@@ -76,7 +76,7 @@ Problem make_problem(Scene scene) {
     body = outline.bounds(0);
     append_outside(scene, *scene.workspace, *body);
   }
-  problem.frame = make_frame(body ? *body : *scene.reference_bounds);
+  problem.frame = make_frame(body ? *body : scene.reference_bounds.value());
   problem.robot = make_robot(scene.robot, problem.frame.exponent);
 
   const auto framed = [&](const Rectangle& r) {
@@ -84,7 +84,7 @@ Problem make_problem(Scene scene) {
   };
   if (body) problem.walls = make_walls(framed(*body));
   Rectangle domain =
-      body ? reachable(framed(*body), problem.robot) : framed(*scene.reference_bounds);
+      body ? reachable(framed(*body), problem.robot) : framed(scene.reference_bounds.value());
   if (body && scene.reference_bounds) {
     const Rectangle both = intersection(domain, framed(*scene.reference_bounds));
     if (both.low.x <= both.high.x && both.low.y <= both.high.y) domain = both;

@@ -193,7 +193,9 @@ std::array<std::uint64_t, 3> Refinement::dyadic(const Configuration& q) const {
   const Vec2 t = to_planner(problem_, {q.x, q.y});
   const auto count = [](const double fraction) {
     const double clamped = std::clamp(fraction, 0.0, 1.0);
-    return std::min(static_cast<std::uint64_t>(std::ldexp(clamped, kCoordinateBits)), kUnit - 1);
+    return std::min(
+        static_cast<std::uint64_t>(std::ldexp(clamped, static_cast<int>(kCoordinateBits))),
+        kUnit - 1);
   };
   // The library's reduction keeps a few u of a turn whatever theta's magnitude.
   const double turn = std::atan2(std::sin(q.theta), std::cos(q.theta)) / (2.0 * std::numbers::pi);

@@ -31,10 +31,10 @@ void erase_value(std::vector<CellId>& list, const CellId value) {
 
 // Does the half of a box that was split along `axis` still share a face with a neighbour of the
 // whole? The other axes have not changed.
-bool still_adjacent(const CellBox& half, const CellBox& neighbour, const int axis) {
+bool still_adjacent(const CellBox& half, const CellBox& neighbour, const Axis axis) {
   if (half.low[axis] < neighbour.high(axis) && neighbour.low[axis] < half.high(axis)) return true;
   // Not beside the half: either beside the other half, or the face is an end of the split axis.
-  int face = 0;
+  Axis face = kNoAxis;
   return adjacent(half, neighbour, face);
 }
 
@@ -58,7 +58,7 @@ Subdivision::Subdivision(const CellSpace& space, Labeller& labeller, Statistics&
   }
   for (CellId a = 0; a < cells_.size(); ++a)
     for (CellId b = 0; b < a; ++b) {
-      int axis = 0;
+      Axis axis = kNoAxis;
       if (cells_[a].label != Label::kFull && cells_[b].label != Label::kFull &&
           adjacent(cells_[a].box, cells_[b].box, axis))
         link(a, b);
@@ -89,8 +89,7 @@ CellId Subdivision::locate(const std::array<std::uint64_t, 3>& point) const {
   while ((at & kLeaf) == 0) {
     const Branch& branch = branches_[at];
     const Halves halves = halve(box, branch.axis);
-    const bool upper = point[static_cast<std::size_t>(branch.axis)] >=
-                       halves.upper.low[static_cast<std::size_t>(branch.axis)];
+    const bool upper = point[branch.axis] >= halves.upper.low[branch.axis];
     box = upper ? halves.upper : halves.lower;
     at = upper ? branch.upper : branch.lower;
   }
@@ -105,13 +104,13 @@ double Subdivision::turning_radius(const ConstraintView& list) const {
   return radius;
 }
 
-int Subdivision::widest_axis(const CellId id) const {
+Axis Subdivision::widest_axis(const CellId id) const {
   const CellBox& box = cells_[id].box;
   const pdg::Motion m = motion_of(space_, extent_of(box));
   const std::array<double, 3> width{m.g1.x, m.g2.y, turning_radius(undecided(id)) * m.half_angle};
-  int widest = -1;
-  for (int k = 0; k < (space_.rotation ? 3 : 2); ++k)
-    if (box.level[k] < kMaxLevel && (widest < 0 || width[k] > width[widest])) widest = k;
+  Axis widest = kNoAxis;
+  for (Axis k = 0; k < (space_.rotation ? 3U : 2U); ++k)
+    if (box.level[k] < kMaxLevel && (widest == kNoAxis || width[k] > width[widest])) widest = k;
   return widest;
 }
 
@@ -120,7 +119,7 @@ bool Subdivision::divisible(const CellId id, const double resolution) const {
   const bool open = cell.label == Label::kMixed || cell.label == Label::kStar;
   return open && !cell.exhausted &&
          static_cast<double>(cell.size) * labeller_.robot().reach > resolution &&
-         widest_axis(id) >= 0;
+         widest_axis(id) != kNoAxis;
 }
 
 Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
@@ -160,7 +159,7 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
 }
 
 CellId Subdivision::split(const CellId id) {
-  const int axis = widest_axis(id);
+  const Axis axis = widest_axis(id);
   const Halves halves = halve(cells_[id].box, axis);
   const ConstraintView list = undecided(id);
   parent_list_.pairs.assign(list.pairs.begin(), list.pairs.end());
@@ -202,7 +201,7 @@ void Subdivision::link(const CellId a, const CellId b) {
 }
 
 // The lower half has the parent's id, which its neighbours' lists hold already.
-void Subdivision::adopt_neighbours(const CellId lower, const CellId upper, const int axis,
+void Subdivision::adopt_neighbours(const CellId lower, const CellId upper, const Axis axis,
                                    const std::vector<CellId>& old) {
   const auto touches = [&](const CellId half, const CellId neighbour) {
     return cells_[half].label != Label::kFull &&

@@ -20,7 +20,7 @@ inline constexpr CellId kNoCell = UINT32_MAX;
 
 // One key for the unordered pair.
 constexpr std::uint64_t link_key(const CellId a, const CellId b) {
-  return (std::uint64_t{a < b ? a : b} << 32) | (a < b ? b : a);
+  return (std::uint64_t{a < b ? a : b} << 32U) | (a < b ? b : a);
 }
 
 // A leaf. Ids are stable until the leaf is split; its lower half then keeps the id.
@@ -82,19 +82,19 @@ class Subdivision {
   // An inner node of the kd-tree: its halves are leaves (kLeaf set) or branches.
   struct Branch {
     std::uint32_t lower, upper;
-    int axis;
+    Axis axis;
   };
-  static constexpr std::uint32_t kLeaf = std::uint32_t{1} << 31;
-  static constexpr std::uint32_t kRoot = std::uint32_t{1} << 31;  // Cell::branch of a root
+  static constexpr std::uint32_t kLeaf = std::uint32_t{1} << 31U;
+  static constexpr std::uint32_t kRoot = std::uint32_t{1} << 31U;  // Cell::branch of a root
 
   [[nodiscard]] std::uint8_t root_level() const;
 
   Cell make_cell(const CellBox& box, const ConstraintView& parent);
-  void adopt_neighbours(CellId lower, CellId upper, int axis, const std::vector<CellId>& old);
+  void adopt_neighbours(CellId lower, CellId upper, Axis axis, const std::vector<CellId>& old);
   void link(CellId a, CellId b);
   void add_neighbour(CellId to, CellId neighbour);
   [[nodiscard]] double turning_radius(const ConstraintView& list) const;
-  [[nodiscard]] int widest_axis(CellId id) const;
+  [[nodiscard]] Axis widest_axis(CellId id) const;
 
   CellSpace space_;
   Labeller& labeller_;
