@@ -22,3 +22,7 @@ MAX_ANGLE = 1e6
 MAX_FILE_BYTES = 128 * 2**20
 """Largest scene file in bytes, some three million vertices. Reading takes about ten times as much
 memory; the limit also ends the reading of an endless file such as a device."""
+
+MAX_ROBOT_VERTICES = 65535
+"""Largest number of robot vertices. The core counts the vertices of the robot's convex hull, which
+the workspace's walls meet, in 16 bits; obstacles may be larger, they are cut into pieces."""

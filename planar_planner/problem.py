@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from planar_planner import fields
 from planar_planner.errors import SceneError, shown
 from planar_planner.fields import Box, Configuration
+from planar_planner.limits import MAX_ROBOT_VERTICES
 from planar_planner.raw_polygons import read_polygons
 from planar_planner.scene import Scene
 from planar_planner.validity import clean_polygons
@@ -110,6 +111,10 @@ def make_problem(scene: Scene) -> Problem:
         workspace_box, workspace = _workspace(scene.workspace)
         reference_bounds = _reference_bounds(scene)
         robot = clean_polygons(read_polygons([("robot", scene.robot)]))
+        if len(robot.coords) > MAX_ROBOT_VERTICES:
+            raise SceneError(
+                f"a robot may have {MAX_ROBOT_VERTICES} vertices", "robot", str(len(robot.coords))
+            )
         obstacles = clean_polygons(read_polygons(_listed(scene.obstacles, "obstacles")))
         rotation = fields.truth(scene.rotation, "rotation")
         start = fields.configuration(scene.start, "start")

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pdg/native/decompose.hpp"
 #include "pdg/native/tolerances.hpp"
+#include "pieces.hpp"
 
 namespace planner {
 
@@ -78,7 +78,7 @@ void ObstacleTree::expand(const std::uint32_t index) {
 void ObstacleTree::decompose(const std::uint32_t index) {
   const std::uint32_t polygon = items_[nodes_[index].begin].id;
   const auto begin = static_cast<std::uint32_t>(items_.size());
-  for (const pdg::ConvexPolygon& part : pdg::convex_partition(obstacles_->polygon(polygon))) {
+  for (const pdg::ConvexPolygon& part : planner_pieces(obstacles_->polygon(polygon))) {
     const pdg::ConvexPiece piece = pdg::make_piece(part, frame_);
     Item item;
     item.low = item.high = piece.edges[0].vertex;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pdg/native/decompose.hpp"
 #include "pdg/native/predicates.hpp"
 #include "pdg/native/tolerances.hpp"
+#include "pieces.hpp"
 
 namespace planner {
 
@@ -61,7 +61,7 @@ Robot make_robot(const PolygonSet& polygons, const int exponent) {
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const Polygon polygon = polygons.polygon(i);
     points.insert(points.end(), polygon.rings[0].begin(), polygon.rings[0].end());
-    for (const pdg::ConvexPolygon& piece : pdg::convex_partition(polygon)) {
+    for (const pdg::ConvexPolygon& piece : planner_pieces(polygon)) {
       robot.pieces.push_back(pdg::make_piece(piece, frame));
       robot.polygon_of_piece.push_back(static_cast<std::uint32_t>(i));
     }
