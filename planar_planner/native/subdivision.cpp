@@ -123,7 +123,6 @@ bool Subdivision::divisible(const CellId id, const double resolution) const {
 }
 
 Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
-  const Stopwatch watch(statistics_.seconds.labelling);
   ++statistics_.labelled_cells;
   const Extent extent = extent_of(box);
   const pdg::Motion motion = motion_of(space_, extent);
@@ -179,8 +178,11 @@ CellId Subdivision::split(const CellId id) {
   else
     (place % 2 == 0 ? branches_[place / 2].lower : branches_[place / 2].upper) = branch;
 
-  cells_[id] = make_cell(halves.lower, view(parent_list_));
-  cells_.push_back(make_cell(halves.upper, view(parent_list_)));
+  {
+    const Stopwatch watch(statistics_.seconds.labelling);
+    cells_[id] = make_cell(halves.lower, view(parent_list_));
+    cells_.push_back(make_cell(halves.upper, view(parent_list_)));
+  }
   cells_[id].branch = 2 * branch;
   cells_[upper].branch = 2 * branch + 1;
   adopt_neighbours(id, upper, axis, old);
