@@ -13,9 +13,11 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
+// Exact for what fits 53 bits, rounded once otherwise.
 double fraction(const std::uint64_t k) {
-  return std::ldexp(static_cast<double>(k), -static_cast<int>(kCoordinateBits));
+  return static_cast<double>(k) * 0x1p-60;
 }
+static_assert(kCoordinateBits == 60);
 
 struct HalfAngle {
   double angle, cos, sin;

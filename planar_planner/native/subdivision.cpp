@@ -29,13 +29,22 @@ void erase_value(std::vector<CellId>& list, const CellId value) {
   list.pop_back();
 }
 
-// Does the half of a box that was split along `axis` still share a face with a neighbour of the
-// whole? The other axes have not changed.
-bool still_adjacent(const CellBox& half, const CellBox& neighbour, const Axis axis) {
-  if (half.low[axis] < neighbour.high(axis) && neighbour.low[axis] < half.high(axis)) return true;
-  // Not beside the half: either beside the other half, or the face is an end of the split axis.
-  Axis face = kNoAxis;
-  return adjacent(half, neighbour, face);
+struct Touched {
+  bool lower, upper;
+};
+
+// Which halves of a box split along `axis` share a face with a neighbour of the whole? The other
+// axes have not changed.
+Touched touched_halves(const Halves& halves, const CellBox& neighbour, const Axis axis) {
+  const std::uint64_t low = halves.lower.low[axis];
+  const std::uint64_t middle = halves.upper.low[axis];
+  const std::uint64_t high = halves.upper.high(axis);
+  const std::uint64_t begin = neighbour.low[axis];
+  const std::uint64_t end = neighbour.high(axis);
+  if (begin < high && low < end) return {begin<middle, end> middle};
+  // The face is an end of the split axis; theta wraps.
+  const bool at_low = end == low || (axis == kTheta && low == 0 && end == kUnit);
+  return {at_low, !at_low};
 }
 
 }  // namespace
@@ -119,7 +128,8 @@ bool Subdivision::divisible(const CellId id, const double resolution) const {
   const bool open = cell.label == Label::kMixed || cell.label == Label::kStar;
   return open && !cell.exhausted &&
          static_cast<double>(cell.size) * labeller_.robot().reach > resolution &&
-         widest_axis(id) != kNoAxis;
+         std::any_of(cell.box.level.begin(), cell.box.level.begin() + (space_.rotation ? 3 : 2),
+                     [](const std::uint8_t level) { return level < kMaxLevel; });
 }
 
 Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
@@ -185,7 +195,7 @@ CellId Subdivision::split(const CellId id) {
   }
   cells_[id].branch = 2 * branch;
   cells_[upper].branch = 2 * branch + 1;
-  adopt_neighbours(id, upper, axis, old);
+  adopt_neighbours(id, upper, halves, axis, old);
   return upper;
 }
 
@@ -203,24 +213,18 @@ void Subdivision::link(const CellId a, const CellId b) {
 }
 
 // The lower half has the parent's id, which its neighbours' lists hold already.
-void Subdivision::adopt_neighbours(const CellId lower, const CellId upper, const Axis axis,
-                                   const std::vector<CellId>& old) {
-  const auto touches = [&](const CellId half, const CellId neighbour) {
-    return cells_[half].label != Label::kFull &&
-           still_adjacent(cells_[half].box, cells_[neighbour].box, axis);
-  };
-  for (const CellId half : {lower, upper}) {
-    if (cells_[half].label == Label::kFull) continue;
-    const auto count =
-        std::count_if(old.begin(), old.end(), [&](const CellId n) { return touches(half, n); });
-    cells_[half].neighbours.reserve(static_cast<std::size_t>(count) + 1);
-    neighbour_bytes_ += cells_[half].neighbours.capacity() * sizeof(CellId);
-  }
+void Subdivision::adopt_neighbours(const CellId lower, const CellId upper, const Halves& halves,
+                                   const Axis axis, const std::vector<CellId>& old) {
+  const bool lower_open = cells_[lower].label != Label::kFull;
+  const bool upper_open = cells_[upper].label != Label::kFull;
+  below_.clear();
+  above_.clear();
   for (const CellId neighbour : old) {
-    const bool below = touches(lower, neighbour);
-    const bool above = touches(upper, neighbour);
-    if (below) add_neighbour(lower, neighbour);
-    if (above) add_neighbour(upper, neighbour);
+    const Touched touched = touched_halves(halves, cells_[neighbour].box, axis);
+    const bool below = lower_open && touched.lower;
+    const bool above = upper_open && touched.upper;
+    if (below) below_.push_back(neighbour);
+    if (above) above_.push_back(neighbour);
     if (below && above)
       add_neighbour(neighbour, upper);
     else if (above)
@@ -228,8 +232,14 @@ void Subdivision::adopt_neighbours(const CellId lower, const CellId upper, const
     else if (!below)
       erase_value(cells_[neighbour].neighbours, lower);
   }
-  if (cells_[lower].label != Label::kFull && cells_[upper].label != Label::kFull)
-    link(lower, upper);
+  if (lower_open && upper_open) {
+    below_.push_back(upper);
+    above_.push_back(lower);
+  }
+  cells_[lower].neighbours.assign(below_.begin(), below_.end());
+  cells_[upper].neighbours.assign(above_.begin(), above_.end());
+  neighbour_bytes_ +=
+      (cells_[lower].neighbours.capacity() + cells_[upper].neighbours.capacity()) * sizeof(CellId);
 }
 
 bool Subdivision::linked(const CellId a, const CellId b) const {

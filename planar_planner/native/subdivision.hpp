@@ -90,7 +90,8 @@ class Subdivision {
   [[nodiscard]] std::uint8_t root_level() const;
 
   Cell make_cell(const CellBox& box, const ConstraintView& parent);
-  void adopt_neighbours(CellId lower, CellId upper, Axis axis, const std::vector<CellId>& old);
+  void adopt_neighbours(CellId lower, CellId upper, const Halves& halves, Axis axis,
+                        const std::vector<CellId>& old);
   void link(CellId a, CellId b);
   void add_neighbour(CellId to, CellId neighbour);
   [[nodiscard]] double turning_radius(const ConstraintView& list) const;
@@ -107,6 +108,7 @@ class Subdivision {
   std::vector<Vec2> guards_;
   ConstraintStore store_;
   ConstraintList parent_list_, child_list_;
+  std::vector<CellId> below_, above_;
   std::size_t neighbour_bytes_ = 0;
   bool any_exhausted_ = false;
 };
