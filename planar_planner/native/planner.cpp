@@ -115,7 +115,8 @@ Answer Planner::ask_disc(Planner& disc, Query& query) {
   statistics_ += answer.statistics;
   query.answer.cells_by_label = answer.cells_by_label;
   query.answer.cells_by_level = answer.cells_by_level;
-  if (answer.stopped) {
+  const bool tried_enough = limits.max_cells < query.limits.max_cells && answer.out_of_cells;
+  if (answer.stopped && !tried_enough) {
     query.conclude(Verdict::kUndecided, answer.reason);
     query.stopped = true;
   }
@@ -165,6 +166,7 @@ void Planner::complete_answer(Query& query) {
   statistics_.decided_by = std::move(answer.statistics.decided_by);
   answer.statistics = statistics_;
   answer.stopped = query.stopped;
+  answer.out_of_cells = query.out_of_cells;
   if (subdivision_) take_census(*subdivision_, answer);
 }
 

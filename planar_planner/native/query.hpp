@@ -21,8 +21,9 @@ enum class Verdict : std::uint8_t { kPath, kNoPath, kUndecided };
 struct Answer {
   Verdict verdict = Verdict::kUndecided;
   std::string reason;
-  bool stopped = false;  // by a limit or the listener
-  PathReport path;       // kPath
+  bool stopped = false;       // by a limit or the listener
+  bool out_of_cells = false;  // that limit was the number of cells
+  PathReport path;            // kPath
   Statistics statistics;
   std::array<std::uint64_t, 4> cells_by_label{};  // indexed by Label
   std::vector<std::uint64_t> cells_by_level;      // by the sum of the three axes' levels
@@ -36,7 +37,8 @@ struct Query {
   std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
   double last_call = 0.0;  // of the listener, seconds after `begin`
   bool stopped = false;    // a limit was reached
-  bool lifted = false;     // an end in contact was moved off
+  bool out_of_cells = false;
+  bool lifted = false;  // an end in contact was moved off
 
   Query(const Configuration& s, const Configuration& g, const Limits& l, const Listener& ear)
       : start(s), goal(g), limits(l), listener(ear) {}

@@ -168,7 +168,8 @@ bool Refinement::stop() {
   };
   statistics_.constraint_bytes = subdivision_.constraint_bytes();
   statistics_.memory_bytes = subdivision_.bytes() + search_.bytes();
-  if (subdivision_.size() >= limits.max_cells) return reached("cell limit reached");
+  query_.out_of_cells = subdivision_.size() >= limits.max_cells;
+  if (query_.out_of_cells) return reached("cell limit reached");
   if (statistics_.memory_bytes >= limits.max_memory) return reached("memory limit reached");
   const double elapsed = query_.elapsed();
   if (elapsed >= limits.timeout) return reached("time limit reached");
