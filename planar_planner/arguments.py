@@ -162,7 +162,7 @@ def _add_limits(command: argparse.ArgumentParser) -> None:
         type=float,
         metavar="LENGTH",
         default=_DEFAULTS.contact_tolerance,
-        help="overlap that counts as touching at start and goal (default: %(default)g)",
+        help="how far a touching start or goal may be moved off contact (default: %(default)g)",
     )
 
 

@@ -26,8 +26,10 @@ class Options:
     max_memory : int
         Bytes that the subdivision may take; at least 1.
     contact_tolerance : float
-        Length by which the robot may overlap obstacles at start and goal and still count as
-        touching them; at least 0.
+        Length by which a start or goal that touches an obstacle, or overlaps it by no more than
+        this, may be translated to get off it; at least 0. The path then begins or ends with that
+        short translation. Touching ends are undecided without it, because rounding cannot tell
+        them from overlap.
     """
 
     resolution: float = 1e-9
