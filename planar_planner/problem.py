@@ -111,10 +111,7 @@ def make_problem(scene: Scene) -> Problem:
         workspace_box, workspace = _workspace(scene.workspace)
         reference_bounds = _reference_bounds(scene)
         robot = clean_polygons(read_polygons([("robot", scene.robot)]))
-        if len(robot.coords) > MAX_ROBOT_VERTICES:
-            raise SceneError(
-                f"a robot may have {MAX_ROBOT_VERTICES} vertices", "robot", str(len(robot.coords))
-            )
+        _check_size(len(robot.coords))
         obstacles = clean_polygons(read_polygons(_listed(scene.obstacles, "obstacles")))
         rotation = fields.truth(scene.rotation, "rotation")
         start = fields.configuration(scene.start, "start")
@@ -135,6 +132,13 @@ def make_problem(scene: Scene) -> Problem:
         start=start,
         goal=goal,
     )
+
+
+def _check_size(robot_vertices: int) -> None:
+    if robot_vertices > MAX_ROBOT_VERTICES:
+        raise SceneError(
+            f"a robot may have at most {MAX_ROBOT_VERTICES} vertices", "robot", str(robot_vertices)
+        )
 
 
 def with_query(problem: Problem, start: Any = None, goal: Any = None) -> Problem:

@@ -390,3 +390,10 @@ def test_rings_agree_with_shapely_one_by_one(ring: list[list[float]]) -> None:
         assert not valid
     else:
         assert valid
+
+
+def test_robot_with_too_many_vertices(scene_dict: dict[str, Any]) -> None:
+    angles = np.linspace(0.0, 2.0 * np.pi, 70_000, endpoint=False)
+    ring = np.column_stack([np.cos(angles), np.sin(angles)]).tolist()
+    content = {**scene_dict, "robot": {"type": "Polygon", "coordinates": [[*ring, ring[0]]]}}
+    assert "robot: a robot may have at most 65535 vertices (got 70000)" in message(content)
