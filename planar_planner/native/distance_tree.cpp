@@ -120,16 +120,7 @@ bool DistanceTree::adopt(const CellId cell, const float old_distance) {
   return true;
 }
 
-void DistanceTree::mend() {
-  while (!orphans_.empty()) {
-    const Step lost = orphans_.top();
-    orphans_.pop();
-    if (nodes_[lost.cell].distance != kUnreached || nodes_[lost.cell].cost < 0.0F) continue;
-    ++statistics_.search_expansions;
-    if (lost.cell != root_ && adopt(lost.cell, lost.key)) continue;
-    orphan_successors(lost.cell);
-    raised_.push_back(lost.cell);
-  }
+void DistanceTree::begin_round() {
   for (const CellId cell : raised_) offer(cell);
   raised_.clear();
   open_.sweep(nodes_.size(), [&](const Step& step) {
@@ -138,6 +129,35 @@ void DistanceTree::mend() {
   });
   // The root is reached before anything is asked: a tree that cannot grow is then a component.
   if (!reached(root_)) settle({0.0F, root_, kNoCell});
+}
+
+// Hangs the nearest orphan below another neighbour, or gives it and then its branch up.
+void DistanceTree::mend_next() {
+  const Step lost = orphans_.top();
+  orphans_.pop();
+  if (reached(lost.cell) || nodes_[lost.cell].cost < 0.0F) return;
+  ++statistics_.search_expansions;
+  if (lost.cell != root_ && adopt(lost.cell, lost.key)) {
+    // Unreached neighbours may have been looked at while this one was lost.
+    for (const CellId next : subdivision_.cell(lost.cell).neighbours)
+      if (!reached(next)) tell(next, lost.cell);
+    return;
+  }
+  orphan_successors(lost.cell);
+  offer(lost.cell);
+}
+
+bool DistanceTree::sound(const CellId cell) {
+  while (reached(cell) && !orphans_.empty() && orphans_.top().key <= distance(cell)) mend_next();
+  return reached(cell);
+}
+
+// Offers a way into `next` by a neighbour, if it is better than what is queued.
+void DistanceTree::tell(const CellId next, const CellId by) {
+  const float key = nodes_[by].distance + step_cost(by, next);
+  if (key >= nodes_[next].queued) return;
+  nodes_[next].queued = key;
+  open_.push({key, next, by});
 }
 
 // The cheapest way into a leaf from a reached neighbour; key kUnreached if there is none.
@@ -169,19 +189,24 @@ bool DistanceTree::holds(const Step& step) const {
 }
 
 float DistanceTree::next_key() {
-  while (!open_.empty()) {
+  for (;;) {
+    const float lost = orphans_.empty() ? kUnreached : orphans_.top().key;
+    if (open_.empty() && orphans_.empty()) return kUnreached;
+    if (open_.empty() || lost <= open_.top().key) {
+      mend_next();
+      continue;
+    }
     const Step step = open_.top();
     Node& node = nodes_[step.cell];
     const bool wanted = step.key == node.queued && step.key < node.distance && node.cost >= 0.0F;
     if (wanted && holds(step)) return step.key;
     open_.pop();
     if (!wanted) continue;
-    if (node.distance == kUnreached)
-      offer(step.cell);
-    else
+    if (reached(step.cell))
       node.queued = node.distance;
+    else
+      offer(step.cell);
   }
-  return kUnreached;
 }
 
 void DistanceTree::settle_next() {
@@ -194,13 +219,10 @@ void DistanceTree::settle(const Step& step) {
   ++statistics_.search_expansions;
   place(step.cell, step.key, step.from);
   for (const CellId next : subdivision_.cell(step.cell).neighbours) {
-    Node& node = nodes_[next];
+    const Node& node = nodes_[next];
     const float cost = step_cost(step.cell, next);
     const float key = step.key + cost;
-    const bool better = node.distance == kUnreached || key < node.distance - kSlackUp * cost;
-    if (!better || key >= node.queued) continue;
-    node.queued = key;
-    open_.push({key, next, step.cell});
+    if (!reached(next) || key < node.distance - kSlackUp * cost) tell(next, step.cell);
   }
 }
 

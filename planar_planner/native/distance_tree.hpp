@@ -42,12 +42,14 @@ class DistanceTree {
   void on_exhausted(CellId cell);
   void on_link_lost(CellId a, CellId b);
 
-  // Re-attaches what lost its predecessor and reaches the root. Call before growing.
-  void mend();
-  // Distance of the next leaf to be settled, or kUnreached. Drops stale entries.
+  // After changes of the graph, before anything is asked. Reaches the root.
+  void begin_round();
+  // Key of the next leaf to be settled, or kUnreached. What is nearer than it has been mended.
   float next_key();
   void settle_next();
 
+  // Mends what the way to this leaf may hang on; false if the leaf is unreached now.
+  bool sound(CellId cell);
   [[nodiscard]] bool reached(CellId cell) const { return nodes_[cell].distance < kUnreached; }
   [[nodiscard]] float distance(CellId cell) const { return nodes_[cell].distance; }
   [[nodiscard]] float cost(CellId cell) const { return nodes_[cell].cost; }
@@ -83,6 +85,8 @@ class DistanceTree {
   [[nodiscard]] Step cheapest_step(CellId cell) const;
   [[nodiscard]] bool holds(const Step& step) const;
   void offer(CellId cell);
+  void tell(CellId next, CellId by);
+  void mend_next();
   void settle(const Step& step);
   void place(CellId cell, float distance, CellId predecessor);
 
