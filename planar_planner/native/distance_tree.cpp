@@ -8,10 +8,10 @@ namespace {
 
 // An orphan keeps its distance if that undercuts its new way by at most this part of its own cost
 // ...
-constexpr float kSlackDown = 0.6F;
+constexpr float kSlackDown = 0.9F;
 // ... and a reached leaf is told of a shorter way if that saves more than this part of its own
 // cost.
-constexpr float kSlackUp = 0.3F;
+constexpr float kSlackUp = 0.6F;
 
 // More than any channel without exhausted cells and doubtful links can cost.
 constexpr float kBarrier = 1e15F;
