@@ -123,6 +123,7 @@ nb::dict statistics_dict(const planner::Answer& answer) {
   out["segments_tested"] = s.segments_tested;
   out["search_rounds"] = s.search_rounds;
   out["search_expansions"] = s.search_expansions;
+  out["search_rebuilds"] = s.search_rebuilds;
   out["memory_bytes"] = s.memory_bytes;
   out["constraint_bytes"] = s.constraint_bytes;
   out["seconds"] = seconds;

@@ -91,13 +91,6 @@ void ChannelSearch::note_meetings() {
   });
 }
 
-float ChannelSearch::cost_through_or_none(const Meeting& meeting) const {
-  if (meeting.cell == kNoCell || !from_start_.reached(meeting.cell) ||
-      !from_goal_.reached(meeting.cell))
-    return kUnreached;
-  return cost_through(meeting.cell);
-}
-
 ChannelSearch::Meeting ChannelSearch::best_meeting() {
   note_meetings();
   while (!meetings_.empty()) {
@@ -114,18 +107,18 @@ ChannelSearch::Meeting ChannelSearch::best_meeting() {
 bool ChannelSearch::find(std::vector<CellId>& channel) {
   from_start_.begin_round();
   from_goal_.begin_round();
-  Meeting meeting = best_meeting();
-  for (;; meeting = best_meeting()) {
+  Meeting meeting{kUnreached, kNoCell};
+  for (;;) {
     const float start_key = from_start_.next_key();
     const float goal_key = from_goal_.next_key();
-    if (cost_through_or_none(meeting) != meeting.cost) continue;  // mending undid it
+    meeting = best_meeting();  // after the keys: mending for them makes and undoes meetings
     if (start_key + goal_key < meeting.cost) {
       (start_key <= goal_key ? from_start_ : from_goal_).settle_next();
       continue;
     }
     if (meeting.cell == kNoCell) break;
     if (from_start_.sound(meeting.cell) && from_goal_.sound(meeting.cell) &&
-        cost_through_or_none(meeting) == meeting.cost)
+        cost_through(meeting.cell) == meeting.cost)
       break;
   }
   channel.clear();

@@ -59,7 +59,6 @@ class ChannelSearch {
   };
 
   [[nodiscard]] float cost_through(CellId cell) const;
-  [[nodiscard]] float cost_through_or_none(const Meeting& meeting) const;
   void note_meetings();
   // Cheapest meeting that still holds; its cost is kUnreached if there is none.
   Meeting best_meeting();

@@ -13,6 +13,7 @@ Statistics& Statistics::operator+=(const Statistics& other) {
   segments_tested += other.segments_tested;
   search_rounds += other.search_rounds;
   search_expansions += other.search_expansions;
+  search_rebuilds += other.search_rebuilds;
   memory_bytes = std::max(memory_bytes, other.memory_bytes);
   seconds.preprocessing += other.seconds.preprocessing;
   seconds.labelling += other.seconds.labelling;

@@ -28,6 +28,7 @@ struct Statistics {
   std::uint64_t segments_tested = 0;
   std::uint64_t search_rounds = 0;
   std::uint64_t search_expansions = 0;
+  std::uint64_t search_rebuilds = 0;  // mended trees that overlooked a channel: a defect
   std::uint64_t channel_length = 0;
   std::uint64_t memory_bytes = 0;
   std::uint64_t constraint_bytes = 0;  // of these: the cells' undecided constraints

@@ -249,6 +249,22 @@ bool Subdivision::linked(const CellId a, const CellId b) const {
                                     : std::find(of_b.begin(), of_b.end(), a) != of_b.end();
 }
 
+bool Subdivision::connected(const CellId a, const CellId b) const {
+  std::vector<bool> seen(cells_.size());
+  std::vector<CellId> open{a};
+  seen[a] = true;
+  while (!open.empty() && !seen[b]) {
+    const CellId cell = open.back();
+    open.pop_back();
+    for (const CellId next : cells_[cell].neighbours) {
+      if (seen[next]) continue;
+      seen[next] = true;
+      open.push_back(next);
+    }
+  }
+  return seen[b];
+}
+
 void Subdivision::mark_exhausted(const CellId id) {
   cells_[id].exhausted = true;
   any_exhausted_ = true;

@@ -77,6 +77,9 @@ class Subdivision {
   void disconnect(CellId a, CellId b);
   // Neighbours that have not been disconnected?
   [[nodiscard]] bool linked(CellId a, CellId b) const;
+  // Is there any chain of neighbours from a to b? A plain flood fill that owes nothing to the
+  // search.
+  [[nodiscard]] bool connected(CellId a, CellId b) const;
 
  private:
   // An inner node of the kd-tree: its halves are leaves (kLeaf set) or branches.
