@@ -29,7 +29,7 @@ Scene room(const double unit = 1.0) {
 }
 
 Answer solve(Planner& planner, const Configuration& start, const Configuration& goal,
-             const Limits& limits = {}) {
+             const Limits& limits = {.max_cells = 20'000}) {
   return planner.solve(start, goal, limits, {});
 }
 
