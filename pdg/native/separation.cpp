@@ -13,6 +13,7 @@ struct Envelope {
   double hi = 0.0;  // upper bound of max over delta of min over points
   std::uint16_t first = 0;
   std::uint16_t count = 0;
+  double slope = 0.0;  // |w| of the minimiser at the centre
 };
 
 // Half-extent of the translations along a fixed unit direction.
@@ -49,6 +50,7 @@ Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& 
   std::size_t i_minus = 0;
   std::size_t i_plus = 0;
   double peak = -INFINITY;
+  double least = INFINITY;
   for (std::size_t i = 0; i < c.count; ++i) {
     const std::size_t k = at(i);
     const Vec2 p = point(k);
@@ -76,6 +78,7 @@ Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& 
     if (middle + swing < at_plus) at_plus = middle + swing, i_plus = i;
     out.lo = std::min(out.lo, lo);
     out.hi = std::min(out.hi, hi);
+    if (v < least) least = v, out.slope = std::abs(w);
   }
   if (c.count == 1) return out;
   // On a counter-clockwise ring the minimiser walks backwards while delta grows: the possible ones
@@ -106,7 +109,7 @@ template <class Point, class Slope>
 Range coupled_range(const Vec2 n, const std::size_t ring, const Constraint& c, const Motion& m,
                     const double bend, const Point& point, const Slope& slope) {
   const double h = m.half_angle;
-  Range range{INFINITY, INFINITY};
+  Range range{INFINITY, INFINITY, 0.0};
   for (std::size_t i = 0; i < c.count; ++i) {
     const std::size_t k = c.first + i < ring ? c.first + i : c.first + i - ring;
     const Vec2 p = point(k);
@@ -122,7 +125,7 @@ Range coupled_range(const Vec2 n, const std::size_t ring, const Constraint& c, c
 }
 
 Range intersection(const Range a, const Range b) {
-  return {std::max(a.lo, b.lo), std::min(a.hi, b.hi)};
+  return {std::max(a.lo, b.lo), std::min(a.hi, b.hi), a.slope};
 }
 
 Range obstacle_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motion& m,
@@ -140,12 +143,12 @@ Range obstacle_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motio
   c.count = e.count;
   const double shift = dot(n, m.t) - edge.offset;
   const double extent = fixed_extent(m, n);
-  const Range box{e.lo + shift - extent, e.hi + shift + extent};
+  const Range box{e.lo + shift - extent, e.hi + shift + extent, e.slope};
   if (m.turn == 0.0) return box;
   const double along = dot(n, m.g1);
   const Range coupled = coupled_range(n, a.vertices.size(), whole, m, 0.0, point,
                                       [&](const double w) { return along + w * m.turn; });
-  return intersection(box, {coupled.lo + shift, coupled.hi + shift});
+  return intersection(box, {coupled.lo + shift, coupled.hi + shift, 0.0});
 }
 
 Range robot_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motion& m,
@@ -163,13 +166,13 @@ Range robot_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motion& 
   c.count = e.count;
   const double offset = a.piece->edges[c.edge].offset;
   const double extent = turning_extent(m, n);
-  const Range box{e.lo - offset - extent, e.hi - offset + extent};
+  const Range box{e.lo - offset - extent, e.hi - offset + extent, e.slope};
   if (m.turn == 0.0) return box;
   // R(delta) n . (u - s g1): u turns the other way round, and |(R(delta) n - n) . g1| <= h |g1|.
   const double along = dot(n, m.g1);
   const Range coupled = coupled_range(n, b.edges.size(), whole, m, m.half_angle * m.g1_length,
                                       point, [&](const double w) { return -along - w * m.turn; });
-  return intersection(box, {coupled.lo - offset, coupled.hi - offset});
+  return intersection(box, {coupled.lo - offset, coupled.hi - offset, 0.0});
 }
 
 // Upper bound of the function's hi from the inner circle of the piece that the edge faces: enough
@@ -195,7 +198,7 @@ constexpr std::uint16_t kQuickVertices = 3;
 Range sinusoid_range(const double v, const double w, const Motion& m) {
   const double middle = v * m.cos_half;
   const double swing = std::abs(w) * m.sin_half;
-  Range range{middle - swing, middle + swing};
+  Range range{middle - swing, middle + swing, 0.0};
   if (std::abs(w) * m.cos_half <= std::abs(v) * m.sin_half) {
     const double radius = std::sqrt(v * v + w * w);
     (v > 0.0 ? range.hi : range.lo) = v > 0.0 ? radius : -radius;
@@ -228,16 +231,21 @@ PairVerdict judge_pair(const PosedPiece& a, const ConvexPiece& b, const Motion& 
   double centre = -INFINITY;
   double best = -INFINITY;
   std::size_t best_at = before;
+  Sway sway;
   for (Constraint c : active) {
     ++evaluations;
     if (c.count >= kQuickVertices && quick_high(a, b, motion, c) < -error) continue;
     const Range range = constraint_range(a, b, motion, error, c);
     if (range.lo >= error + motion.margin) {
       remaining.resize(before);
-      return {PairLabel::kApart, range.lo - error, 0.0};
+      return {PairLabel::kApart, range.lo - error, 0.0, {}};
     }
     centre = std::max(centre, 0.5 * (range.lo + range.hi));
     if (range.hi < -error) continue;
+    const Vec2 n = c.owner == EdgeOwner::kObstacle ? b.edges[c.edge].normal : a.normals[c.edge];
+    sway.g1 += std::abs(dot(n, motion.g1));
+    sway.g2 += std::abs(dot(n, motion.g2));
+    sway.turn += range.slope * motion.half_angle;
     if (range.lo > best) {
       best = range.lo;
       best_at = remaining.size();
@@ -247,7 +255,7 @@ PairVerdict judge_pair(const PosedPiece& a, const ConvexPiece& b, const Motion& 
   // The likeliest separating axis first: smaller motions meet it at once.
   if (best_at > before) std::swap(remaining[before], remaining[best_at]);
   const bool overlap = remaining.size() == before;
-  return {overlap ? PairLabel::kOverlap : PairLabel::kUndecided, 0.0, centre};
+  return {overlap ? PairLabel::kOverlap : PairLabel::kUndecided, 0.0, centre, sway};
 }
 
 }  // namespace pdg

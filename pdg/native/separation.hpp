@@ -33,6 +33,15 @@ struct Constraint {
 struct Range {
   double lo;
   double hi;
+  double slope = 0.0;  // |d/dtheta| at the centre, of the vertex that is minimal there; a hint
+};
+
+// How much a motion's parts move the separating-axis functions, summed over the active ones: along
+// g1, along g2, by turning. A hint of which part to halve.
+struct Sway {
+  double g1 = 0.0;
+  double g2 = 0.0;
+  double turn = 0.0;
 };
 
 // The moving piece at the centre rotation of the motion.
@@ -54,6 +63,7 @@ struct PairVerdict {
   PairLabel label = PairLabel::kUndecided;
   double clearance = 0.0;  // kApart: certified lower bound of the separation
   double centre = 0.0;     // otherwise: max over axes of (lo + hi) / 2
+  Sway sway;               // kUndecided
 };
 
 // Rounding bound of every value below: |computed - exact| <= separation_error.

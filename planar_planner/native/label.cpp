@@ -12,6 +12,17 @@ using pdg::Motion;
 
 namespace {
 
+void add_sway(LabelResult& result, const pdg::Sway& more) {
+  result.sway.g1 += more.g1;
+  result.sway.g2 += more.g2;
+  result.sway.turn += more.turn;
+}
+
+// Of something still closed: as much as the motion itself.
+pdg::Sway whole_sway(const Motion& m, const double radius) {
+  return {m.g1_length, m.g2_length, radius * m.half_angle};
+}
+
 // Puts one pair first: the children meet the likeliest witness of FULL at once.
 void bring_forward(ConstraintList& list, const std::size_t pair, const std::size_t constraint) {
   const auto begin = list.constraints.begin();
@@ -107,6 +118,7 @@ bool Labeller::visit_node(Pass& pass, const std::uint32_t index) {
   if (std::max(pass.extent.x, pass.extent.y) > robot_.reach + node.largest_leaf) {
     pass.out.pairs.push_back({index, kNode, 0});
     pass.result.turning_radius = robot_.reach;
+    add_sway(pass.result, whole_sway(pass.motion, robot_.reach));
     pass.result.separation = std::min(pass.result.separation, 0.0);
     return true;
   }
@@ -146,6 +158,7 @@ bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
     result.separation =
         std::min(result.separation, pdg::norm(between) - 0.5 * (a.radius + b.radius + inner));
     result.turning_radius = std::max(result.turning_radius, a.reach);
+    add_sway(result, whole_sway(pass.motion, a.reach));
     return true;
   }
   fresh_.clear();
@@ -181,6 +194,7 @@ bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16
   }
   result.separation = std::min(result.separation, verdict.centre);
   result.turning_radius = std::max(result.turning_radius, robot_.pieces[robot].reach);
+  add_sway(result, verdict.sway);
   return true;
 }
 

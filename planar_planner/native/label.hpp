@@ -30,6 +30,7 @@ struct LabelResult {
   Witness witness{};        // kFull
   double clearance = 0.0;   // lower bound over the pairs dropped here (planner units)
   double separation = 0.0;  // kMixed: estimate at the centre, least over pairs; a hint, no bound
+  pdg::Sway sway;           // kMixed: summed over the undecided pairs
   double turning_radius = 0.0;  // kMixed: largest radius of the robot pieces still active
 };
 

@@ -29,6 +29,10 @@ void erase_value(std::vector<CellId>& list, const CellId value) {
   list.pop_back();
 }
 
+// Sways of at least this part of the largest count as comparable. 1 makes cells needlessly thin, 0
+// forgets what the undecided functions depend on; measured over the shipped families and gates.
+constexpr double kComparable = 0.5;
+
 struct Touched {
   bool lower, upper;
 };
@@ -105,22 +109,23 @@ CellId Subdivision::locate(const std::array<std::uint64_t, 3>& point) const {
   return at & ~kLeaf;
 }
 
-double Subdivision::turning_radius(const ConstraintView& list) const {
-  double radius = 0.0;
-  for (const PairHeader& header : list.pairs)
-    radius = std::max(radius, header.robot == kNode ? labeller_.robot().reach
-                                                    : labeller_.robot().pieces[header.robot].reach);
-  return radius;
-}
-
-Axis Subdivision::widest_axis(const CellId id) const {
-  const CellBox& box = cells_[id].box;
-  const pdg::Motion m = motion_of(space_, extent_of(box));
-  const std::array<double, 3> width{m.g1.x, m.g2.y, turning_radius(undecided(id)) * m.half_angle};
-  Axis widest = kNoAxis;
-  for (Axis k = 0; k < (space_.rotation ? 3U : 2U); ++k)
-    if (box.level[k] < kMaxLevel && (widest == kNoAxis || width[k] > width[widest])) widest = k;
-  return widest;
+// The axis along which the motion is widest, among those that sway the undecided functions about as
+// much as any. In a corridor the axis along it does not, and is not halved: that keeps cells few
+// where the way is long and narrow.
+Axis Subdivision::best_axis(const CellBox& box, const pdg::Sway& sway, const pdg::Motion& m,
+                            const double turning_radius) const {
+  const std::array<double, 3> sways{sway.g1, sway.g2, sway.turn};
+  const std::array<double, 3> widths{m.g1_length, m.g2_length, turning_radius * m.half_angle};
+  const std::size_t axes = space_.rotation ? 3 : 2;
+  double most = 0.0;
+  for (Axis k = 0; k < axes; ++k)
+    if (box.level[k] < kMaxLevel) most = std::max(most, sways[k]);
+  Axis best = kNoAxis;
+  for (Axis k = 0; k < axes; ++k)
+    if (box.level[k] < kMaxLevel && sways[k] >= kComparable * most &&
+        (best == kNoAxis || widths[k] > widths[best]))
+      best = k;
+  return best;
 }
 
 bool Subdivision::divisible(const CellId id, const double resolution) const {
@@ -128,8 +133,7 @@ bool Subdivision::divisible(const CellId id, const double resolution) const {
   const bool open = cell.label == Label::kMixed || cell.label == Label::kStar;
   return open && !cell.exhausted &&
          static_cast<double>(cell.size) * labeller_.robot().reach > resolution &&
-         std::any_of(cell.box.level.begin(), cell.box.level.begin() + (space_.rotation ? 3 : 2),
-                     [](const std::uint8_t level) { return level < kMaxLevel; });
+         cell.split_axis != kNoAxis;
 }
 
 Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
@@ -162,13 +166,15 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
     cell.witness = result.witness;
   else if (cell.label != Label::kFree)
     cell.list = store_.store(child_list_);
+  cell.split_axis =
+      static_cast<std::uint8_t>(best_axis(box, result.sway, motion, result.turning_radius));
   cell.size = static_cast<float>(relative);
   cell.cost = static_cast<float>(crossing_cost(cell.label, relative, result.separation / radius));
   return cell;
 }
 
 CellId Subdivision::split(const CellId id) {
-  const Axis axis = widest_axis(id);
+  const Axis axis = cells_[id].split_axis;
   const Halves halves = halve(cells_[id].box, axis);
   const ConstraintView list = undecided(id);
   parent_list_.pairs.assign(list.pairs.begin(), list.pairs.end());

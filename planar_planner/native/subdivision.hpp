@@ -27,7 +27,8 @@ constexpr std::uint64_t link_key(const CellId a, const CellId b) {
 struct Cell {
   CellBox box;
   Label label = Label::kMixed;
-  bool exhausted = false;    // at the resolution limit: never split again
+  std::uint8_t split_axis = kNoAxis;  // the axis to halve it along; kNoAxis: at the deepest level
+  bool exhausted = false;             // at the resolution limit: never split again
   bool joint = false;        // kFull by several pairs together (joint.hpp), not by `witness`
   float size = 0.0F;         // motion radius over the robot's reach
   float cost = 0.0F;         // of crossing it, for a channel
@@ -97,8 +98,8 @@ class Subdivision {
                         const std::vector<CellId>& old);
   void link(CellId a, CellId b);
   void add_neighbour(CellId to, CellId neighbour);
-  [[nodiscard]] double turning_radius(const ConstraintView& list) const;
-  [[nodiscard]] Axis widest_axis(CellId id) const;
+  [[nodiscard]] Axis best_axis(const CellBox& box, const pdg::Sway& sway, const pdg::Motion& m,
+                               double turning_radius) const;
 
   CellSpace space_;
   Labeller& labeller_;
