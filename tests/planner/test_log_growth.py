@@ -1,0 +1,60 @@
+"""Cells grow with the logarithm of the clearance, on both sides of a critical parameter."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+from planar_planner import Options, load_scene, solve
+
+CLEARANCES = (1e-2, 1e-4, 1e-6, 1e-8)
+
+
+def box(x0: float, y0: float, x1: float, y1: float) -> dict[str, Any]:
+    ring = [[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]]
+    return {"type": "Polygon", "coordinates": [ring]}
+
+
+def scene(**parts: Any) -> dict[str, Any]:
+    return {"format": "planar-planner/scene", "version": 1, **parts}
+
+
+def gate(clearance: float) -> dict[str, Any]:
+    """A 3 x 1 rectangle and a gate 2 long, wider than the rectangle by `clearance`."""
+    half = (1.0 + clearance) / 2
+    return scene(
+        workspace={"box": [0, 0, 20, 10]},
+        robot=box(-1.5, -0.5, 1.5, 0.5),
+        obstacles=[box(9, -1, 11, 5 - half), box(9, 5 + half, 11, 11)],
+        start=[4, 5, 0.3],
+        goal=[16, 5, 0.3],
+    )
+
+
+def corner(clearance: float) -> dict[str, Any]:
+    """A rectangle 0.1 wide round a right-angled corner, shorter than critical by `clearance`."""
+    length = 2 * (math.sqrt(2) - 0.1) - clearance
+    return scene(
+        workspace={"box": [0, 0, 4, 4]},
+        robot=box(-length / 2, -0.05, length / 2, 0.05),
+        obstacles=[box(1, 1, 4, 4)],
+        start=[0.5, 2.5, -math.pi / 2],
+        goal=[2.5, 0.5, 0],
+    )
+
+
+@pytest.mark.parametrize("family", [gate, corner])
+@pytest.mark.parametrize(("side", "verdict"), [(1, "path"), (-1, "no_path")])
+def test_cells_grow_by_steps_not_by_factors(family: Any, side: int, verdict: str) -> None:
+    cells = []
+    for clearance in CLEARANCES:
+        result = solve(load_scene(family(side * clearance)), Options(resolution=1e-12))
+        assert result.verdict == verdict, clearance
+        cells.append(result.stats["cells"])
+    # Two more decimals cost about the same number of cells each time; a power law would make each
+    # step ten times the one before (or a hundred times).
+    steps = [after - before for before, after in zip(cells, cells[1:], strict=False)]
+    assert max(steps) < 2000, cells
+    assert cells[-1] < 4000, cells
