@@ -1,4 +1,4 @@
-"""Put what ``bench/targets.py`` measured last into README.md: ``python bench/readme_numbers.py``."""
+"""Put the last measurement of the targets into README.md: ``python bench/readme_numbers.py``."""
 
 from __future__ import annotations
 
