@@ -26,12 +26,17 @@ def milliseconds(cells: Cells, what: str) -> float:
     return float(cells[what, "core time"]["value"])
 
 
+def short(value: float) -> str:
+    """Return two significant digits, all of them before the point."""
+    return f"{value:.0f}" if value >= 10 else f"{value:.2g}"
+
+
 def line(cells: Cells, name: str, answer: str, what: str) -> str:
     """Return a row of the table: scene, answer, median with quartiles, cells."""
     row = cells[what, "core time"]
-    lower, upper = (f"{float(value):.2g}" for value in row["quartiles"].split())
+    lower, upper = (short(float(value)) for value in row["quartiles"].split())
     found = re.search(r"([\d,]+) cells", row["note"])
-    time = f"{float(row['value']):.2g} ms ({lower}–{upper})"
+    time = f"{short(float(row['value']))} ms ({lower}–{upper})"
     return f"| {name} | {answer} | {time} | {found[1] if found else ''} |"
 
 
