@@ -80,7 +80,7 @@ Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& 
     out.hi = std::min(out.hi, hi);
     if (v < least) least = v, out.slope = std::abs(w);
   }
-  if (c.count == 1) return out;
+  if (c.count <= 1) return out;
   // On a counter-clockwise ring the minimiser walks backwards while delta grows: the possible ones
   // are the arc from that at +h to that at -h. A partial range holds the arc in order, up to ties.
   if (c.count < ring && i_plus > i_minus) std::swap(i_plus, i_minus);

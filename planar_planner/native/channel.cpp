@@ -7,12 +7,17 @@ namespace planner {
 
 namespace {
 
-// Crossing costs, in units of (motion radius / robot reach)^kSizeExponent. They steer the search
-// and prove nothing; found by random search over four mazes, three fields, four gears and eleven
-// smaller scenes, scored by labelled cells and expansions. What matters most is the exponent: above
-// 1, one large MIXED cell costs more than its halves one after the other, so that channels prefer
-// what is already resolved.
-constexpr double kSizeExponent = 1.5;
+// Crossing costs, by size = motion radius / robot reach. They steer the search and prove nothing.
+// The values were found by random search over mazes, fields, gears, gates and smaller scenes,
+// scored by labelled cells and expansions; two of them also decide whether a search ends:
+// - A strip of n = L / size MIXED cells along a contact costs L size^(p - 1). With p < 1 for small
+//   cells that grows while the strip is refined, so that it cannot outbid every other channel for
+//   ever.
+// - A cell that has been halved along one axis again and again without being decided will take more
+//   halving yet: its cost grows with its thinness.
+constexpr double kLargeExponent = 1.25;  // of sizes above 1: prefers what is already resolved
+constexpr double kSmallExponent = 0.5;   // of sizes below 1
+constexpr double kThinnessCost = 0.25;   // more for every halving of one axis beyond the others
 constexpr double kSolidCost = 0.005;     // FREE or STAR
 constexpr double kFreeCentreCost = 0.5;  // MIXED, free at the centre by the labelling's hint
 constexpr double kMixedCost = 1.0;       // MIXED, in contact at the centre ...
@@ -20,10 +25,13 @@ constexpr double kDepthCost = 3.0;       // ... and more for every motion radius
 
 }  // namespace
 
-double crossing_cost(const Label label, const double relative_size, const double separation) {
-  const double size = std::pow(relative_size, kSizeExponent);
+double crossing_cost(const Label label, const double relative_size, const double separation,
+                     const double thinness) {
+  const double size =
+      std::pow(relative_size, relative_size < 1.0 ? kSmallExponent : kLargeExponent);
   if (label != Label::kMixed) return kSolidCost * size;
-  return size * (separation > 0.0 ? kFreeCentreCost : kMixedCost - kDepthCost * separation);
+  const double depth = separation > 0.0 ? kFreeCentreCost : kMixedCost - kDepthCost * separation;
+  return size * depth * (1.0 + kThinnessCost * thinness);
 }
 
 std::size_t ChannelSearch::bytes() const {

@@ -76,17 +76,17 @@ Problem make_problem(Scene scene) {
     body = outline.bounds(0);
     append_outside(scene, *scene.workspace, *body);
   }
-  problem.frame = make_frame(body ? *body : scene.reference_bounds.value());
+  const Rectangle bounds = scene.reference_bounds.value_or(Rectangle{});
+  problem.frame = make_frame(body.value_or(bounds));
   problem.robot = make_robot(scene.robot, problem.frame.exponent);
 
   const auto framed = [&](const Rectangle& r) {
     return Rectangle{to_planner(problem, r.low), to_planner(problem, r.high)};
   };
   if (body) problem.walls = make_walls(framed(*body));
-  Rectangle domain =
-      body ? reachable(framed(*body), problem.robot) : framed(scene.reference_bounds.value());
+  Rectangle domain = body ? reachable(framed(*body), problem.robot) : framed(bounds);
   if (body && scene.reference_bounds) {
-    const Rectangle both = intersection(domain, framed(*scene.reference_bounds));
+    const Rectangle both = intersection(domain, framed(bounds));
     if (both.low.x <= both.high.x && both.low.y <= both.high.y) domain = both;
   }
   problem.domain = make_domain(domain);

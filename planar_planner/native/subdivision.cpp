@@ -33,6 +33,15 @@ void erase_value(std::vector<CellId>& list, const CellId value) {
 // forgets what the undecided functions depend on; measured over the shipped families and gates.
 constexpr double kComparable = 0.5;
 
+// How often the cell has been halved along single axes beyond its motion radius: the sum of
+// log2(radius / width).
+double thinness(const pdg::Motion& m, const double turning_radius, const double radius) {
+  double sum = 0.0;
+  for (const double width : {m.g1_length, m.g2_length, turning_radius * m.half_angle})
+    if (width > 0.0) sum += std::log2(radius / width);
+  return sum;
+}
+
 struct Touched {
   bool lower, upper;
 };
@@ -169,7 +178,8 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
   cell.split_axis =
       static_cast<std::uint8_t>(best_axis(box, result.sway, motion, result.turning_radius));
   cell.size = static_cast<float>(relative);
-  cell.cost = static_cast<float>(crossing_cost(cell.label, relative, result.separation / radius));
+  cell.cost = static_cast<float>(crossing_cost(cell.label, relative, result.separation / radius,
+                                               thinness(motion, result.turning_radius, radius)));
   return cell;
 }
 

@@ -45,8 +45,8 @@ struct Cell {
 
 // What crossing a leaf costs a channel: a guess of the work it takes to resolve it. `relative_size`
 // is its motion radius over the robot's reach, `separation` the labelling's hint over the motion
-// radius.
-double crossing_cost(Label label, double relative_size, double separation);
+// radius, `thinness` how often it was halved along single axes beyond its motion radius.
+double crossing_cost(Label label, double relative_size, double separation, double thinness);
 
 class Subdivision {
  public:
