@@ -59,3 +59,20 @@ def test_cells_grow_by_steps_not_by_factors(family: Any, side: int, verdict: str
     steps = [after - before for before, after in itertools.pairwise(cells)]
     assert max(steps) < 2000, cells
     assert cells[-1] < 4000, cells
+
+
+@pytest.mark.parametrize("gap", [1.5, 1.1, 1.02])
+def test_contact_on_a_cell_boundary_starves_no_other_channel(gap: float) -> None:
+    # The contact surface y = 5 lies on a boundary of cells: those below it stay mixed for ever, and
+    # a channel along them must not outbid the open gate just above.
+    content = scene(
+        rotation=False,
+        workspace={"box": [0, 0, 10, 10]},
+        robot=box(-0.5, -0.5, 0.5, 0.5),
+        obstacles=[box(4.5, 0, 5.5, 4.5), box(4.5, 4.5 + gap, 5.5, 10)],
+        start=[2, 2, 0],
+        goal=[8, 2, 0],
+    )
+    result = solve(load_scene(content))
+    assert result.verdict == "path"
+    assert result.stats["cells"] < 2000
