@@ -13,7 +13,6 @@ struct Envelope {
   double hi = 0.0;  // upper bound of max over delta of min over points
   std::uint16_t first = 0;
   std::uint16_t count = 0;
-  double slope = 0.0;  // |w| of the minimiser at the centre
 };
 
 // Half-extent of the translations along a fixed unit direction.
@@ -50,7 +49,6 @@ Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& 
   std::size_t i_minus = 0;
   std::size_t i_plus = 0;
   double peak = -INFINITY;
-  double least = INFINITY;
   for (std::size_t i = 0; i < c.count; ++i) {
     const std::size_t k = at(i);
     const Vec2 p = point(k);
@@ -78,7 +76,6 @@ Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& 
     if (middle + swing < at_plus) at_plus = middle + swing, i_plus = i;
     out.lo = std::min(out.lo, lo);
     out.hi = std::min(out.hi, hi);
-    if (v < least) least = v, out.slope = std::abs(w);
   }
   if (c.count <= 1) return out;
   // On a counter-clockwise ring the minimiser walks backwards while delta grows: the possible ones
@@ -125,7 +122,7 @@ Range coupled_range(const Vec2 n, const std::size_t ring, const Constraint& c, c
 }
 
 Range intersection(const Range a, const Range b) {
-  return {std::max(a.lo, b.lo), std::min(a.hi, b.hi), a.slope};
+  return {std::max(a.lo, b.lo), std::min(a.hi, b.hi), a.turning};
 }
 
 Range obstacle_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motion& m,
@@ -143,7 +140,7 @@ Range obstacle_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motio
   c.count = e.count;
   const double shift = dot(n, m.t) - edge.offset;
   const double extent = fixed_extent(m, n);
-  const Range box{e.lo + shift - extent, e.hi + shift + extent, e.slope};
+  const Range box{e.lo + shift - extent, e.hi + shift + extent, 0.5 * (e.hi - e.lo)};
   if (m.turn == 0.0) return box;
   const double along = dot(n, m.g1);
   const Range coupled = coupled_range(n, a.vertices.size(), whole, m, 0.0, point,
@@ -166,7 +163,7 @@ Range robot_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motion& 
   c.count = e.count;
   const double offset = a.piece->edges[c.edge].offset;
   const double extent = turning_extent(m, n);
-  const Range box{e.lo - offset - extent, e.hi - offset + extent, e.slope};
+  const Range box{e.lo - offset - extent, e.hi - offset + extent, 0.5 * (e.hi - e.lo)};
   if (m.turn == 0.0) return box;
   // R(delta) n . (u - s g1): u turns the other way round, and |(R(delta) n - n) . g1| <= h |g1|.
   const double along = dot(n, m.g1);
@@ -245,7 +242,7 @@ PairVerdict judge_pair(const PosedPiece& a, const ConvexPiece& b, const Motion& 
     const Vec2 n = c.owner == EdgeOwner::kObstacle ? b.edges[c.edge].normal : a.normals[c.edge];
     sway.g1 += std::abs(dot(n, motion.g1));
     sway.g2 += std::abs(dot(n, motion.g2));
-    sway.turn += range.slope * motion.half_angle;
+    sway.turn += range.turning;
     if (range.lo > best) {
       best = range.lo;
       best_at = remaining.size();

@@ -33,7 +33,7 @@ struct Constraint {
 struct Range {
   double lo;
   double hi;
-  double slope = 0.0;  // |d/dtheta| at the centre, of the vertex that is minimal there; a hint
+  double turning = 0.0;  // half of what turning alone contributes to hi - lo; a hint
 };
 
 // How much a motion's parts move the separating-axis functions, summed over the active ones: along
