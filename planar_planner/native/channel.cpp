@@ -93,7 +93,7 @@ void ChannelSearch::note_meetings() {
         meetings_.push({cost_through(cell), cell});
     tree->changed().clear();
   }
-  meetings_.sweep(subdivision_.size(), [&](const Meeting& meeting) {
+  meetings_.sweep([&](const Meeting& meeting) {
     return from_start_.reached(meeting.cell) && from_goal_.reached(meeting.cell) &&
            cost_through(meeting.cell) == meeting.cost;
   });

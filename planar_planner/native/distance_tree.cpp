@@ -123,7 +123,7 @@ bool DistanceTree::adopt(const CellId cell, const float old_distance) {
 void DistanceTree::begin_round() {
   for (const CellId cell : raised_) offer(cell);
   raised_.clear();
-  open_.sweep(nodes_.size(), [&](const Step& step) {
+  open_.sweep([&](const Step& step) {
     const Node& node = nodes_[step.cell];
     return step.key == node.queued && step.key < node.distance;
   });

@@ -33,15 +33,20 @@ class LazyQueue {
     std::pop_heap(items_.begin(), items_.end());
     items_.pop_back();
   }
-  // Drops what is no longer wanted, if the queue holds more than `limit` items.
+  // Drops what is no longer wanted, whenever the queue has doubled since the last time: the work
+  // stays below that of the pushes.
   template <class Wanted>
-  void sweep(const std::size_t limit, const Wanted& wanted) {
-    if (items_.size() <= limit) return;
+  void sweep(const Wanted& wanted) {
+    constexpr std::size_t kFirst = 256;
+    if (items_.size() < 2 * kept_ + kFirst) return;
     std::erase_if(items_, [&](const T& item) { return !wanted(item); });
+    kept_ = items_.size();
+    if (items_.capacity() > 2 * kept_ + kFirst) items_.shrink_to_fit();
     std::make_heap(items_.begin(), items_.end());
   }
 
  private:
+  std::size_t kept_ = 0;
   std::vector<T> items_;
 };
 
