@@ -7,12 +7,12 @@
 
 namespace planner {
 
-// Room for one more, growing by a quarter: at most 25 % slack where doubling leaves up to 100 %.
+// Room for one more, growing by an eighth: at most 12.5 % slack where doubling leaves up to 100 %.
 template <class T>
 void grow(std::vector<T>& items) {
   constexpr std::size_t kFirst = 64;
   if (items.size() == items.capacity())
-    items.reserve(std::max(kFirst, items.size() + items.size() / 4));
+    items.reserve(std::max(kFirst, items.size() + items.size() / 8));
 }
 
 // A priority queue (largest first by operator<) whose stale entries can be swept out.
