@@ -168,12 +168,15 @@ def long_search(folder: Path) -> str:
 
 @pytest.mark.skipif(os.name != "posix", reason="sends a POSIX signal")
 def test_interrupt_ends_at_once_with_statistics(tmp_path: Path) -> None:
+    # A job in the background of a script has Ctrl-C ignored, and its children would inherit that.
+    inherited = signal.signal(signal.SIGINT, signal.default_int_handler)
     process = subprocess.Popen(
         [*COMMAND, "solve", long_search(tmp_path), *ENDLESS, "--timeout", "100"],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
     )
+    signal.signal(signal.SIGINT, inherited)
     time.sleep(2.0)
     assert process.poll() is None, process.communicate()
     before = time.monotonic()
