@@ -8,7 +8,7 @@
 namespace planner {
 
 struct Limits {
-  double resolution = 1e-9;  // smallest cell: motion radius relative to the domain's half-extent
+  double resolution = 1e-9;  // smallest half-width of a cell, relative to the domain's
   std::uint64_t max_cells = 5'000'000;
   double timeout = std::numeric_limits<double>::infinity();  // seconds
   std::uint64_t max_memory = std::uint64_t{4} << 30U;        // bytes

@@ -35,9 +35,9 @@ constexpr double kComparable = 0.5;
 
 // How often the cell has been halved along single axes beyond its motion radius: the sum of
 // log2(radius / width).
-double thinness(const pdg::Motion& m, const double turning_radius, const double radius) {
+double thinness(const std::array<double, 3>& widths, const double radius) {
   double sum = 0.0;
-  for (const double width : {m.g1_length, m.g2_length, turning_radius * m.half_angle})
+  for (const double width : widths)
     if (width > 0.0) sum += std::log2(radius / width);
   return sum;
 }
@@ -121,10 +121,9 @@ CellId Subdivision::locate(const std::array<std::uint64_t, 3>& point) const {
 // The axis along which the motion is widest, among those that sway the undecided functions about as
 // much as any. In a corridor the axis along it does not, and is not halved: that keeps cells few
 // where the way is long and narrow.
-Axis Subdivision::best_axis(const CellBox& box, const pdg::Sway& sway, const pdg::Motion& m,
-                            const double turning_radius) const {
+Axis Subdivision::best_axis(const CellBox& box, const pdg::Sway& sway,
+                            const std::array<double, 3>& widths) const {
   const std::array<double, 3> sways{sway.g1, sway.g2, sway.turn};
-  const std::array<double, 3> widths{m.g1_length, m.g2_length, turning_radius * m.half_angle};
   const std::size_t axes = space_.rotation ? 3 : 2;
   double most = 0.0;
   for (Axis k = 0; k < axes; ++k)
@@ -140,9 +139,8 @@ Axis Subdivision::best_axis(const CellBox& box, const pdg::Sway& sway, const pdg
 bool Subdivision::divisible(const CellId id, const double resolution) const {
   const Cell& cell = cells_[id];
   const bool open = cell.label == Label::kMixed || cell.label == Label::kStar;
-  return open && !cell.exhausted &&
-         static_cast<double>(cell.size) * labeller_.robot().reach > resolution &&
-         cell.split_axis != kNoAxis;
+  return open && !cell.exhausted && cell.split_axis != kNoAxis &&
+         static_cast<double>(cell.split_width) > resolution;
 }
 
 Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
@@ -175,11 +173,14 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
     cell.witness = result.witness;
   else if (cell.label != Label::kFree)
     cell.list = store_.store(child_list_);
-  cell.split_axis =
-      static_cast<std::uint8_t>(best_axis(box, result.sway, motion, result.turning_radius));
+  const std::array<double, 3> widths{motion.g1_length, motion.g2_length,
+                                     result.turning_radius * motion.half_angle};
+  const Axis axis = best_axis(box, result.sway, widths);
+  cell.split_axis = static_cast<std::uint8_t>(axis);
+  cell.split_width = axis == kNoAxis ? 0.0F : static_cast<float>(widths[axis]);
   cell.size = static_cast<float>(relative);
-  cell.cost = static_cast<float>(crossing_cost(cell.label, relative, result.separation / radius,
-                                               thinness(motion, result.turning_radius, radius)));
+  cell.cost = static_cast<float>(
+      crossing_cost(cell.label, relative, result.separation / radius, thinness(widths, radius)));
   return cell;
 }
 

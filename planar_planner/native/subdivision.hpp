@@ -30,6 +30,7 @@ struct Cell {
   std::uint8_t split_axis = kNoAxis;  // the axis to halve it along; kNoAxis: at the deepest level
   bool exhausted = false;             // at the resolution limit: never split again
   bool joint = false;        // kFull by several pairs together (joint.hpp), not by `witness`
+  float split_width = 0.0F;  // half-width along split_axis as robot motion, planner units
   float size = 0.0F;         // motion radius over the robot's reach
   float cost = 0.0F;         // of crossing it, for a channel
   std::uint32_t guard = 0;   // kStar: index of the guard
@@ -67,7 +68,7 @@ class Subdivision {
   // The leaf whose closed box holds the point (the lower one on a common face).
   [[nodiscard]] CellId locate(const std::array<std::uint64_t, 3>& point) const;
 
-  // Can the cell still be halved above `resolution` (smallest motion radius, planner units)?
+  // Is the cell still wider than `resolution` along the axis that it would be halved along?
   [[nodiscard]] bool divisible(CellId id, double resolution) const;
   // Halves a leaf along the axis that moves the robot most, labels the halves, mends the
   // neighbour lists. The lower half keeps the id; the upper half's is returned.
@@ -98,8 +99,9 @@ class Subdivision {
                         const std::vector<CellId>& old);
   void link(CellId a, CellId b);
   void add_neighbour(CellId to, CellId neighbour);
-  [[nodiscard]] Axis best_axis(const CellBox& box, const pdg::Sway& sway, const pdg::Motion& m,
-                               double turning_radius) const;
+  // `widths`: how far the cell's halves along x, y and theta move the robot.
+  [[nodiscard]] Axis best_axis(const CellBox& box, const pdg::Sway& sway,
+                               const std::array<double, 3>& widths) const;
 
   CellSpace space_;
   Labeller& labeller_;

@@ -76,3 +76,13 @@ def test_contact_on_a_cell_boundary_starves_no_other_channel(gap: float) -> None
     result = solve(load_scene(content))
     assert result.verdict == "path"
     assert result.stats["cells"] < 2000
+
+
+@pytest.mark.parametrize("rotation", [True, False])
+def test_exactly_fitting_gate_is_undecided_by_resolution_and_soon(rotation: bool) -> None:
+    theta = 0.3 if rotation else 0.0
+    content = {**gate(0.0), "rotation": rotation, "start": [4, 5, theta], "goal": [16, 5, theta]}
+    result = solve(load_scene(content))
+    assert result.verdict == "undecided"
+    assert result.reason == "resolution reached"
+    assert result.stats["cells"] < 5000
