@@ -1,0 +1,12 @@
+"""The parts of ``bench/stress.py``: each module has ``run(settings) -> list[Row]``.
+
+`PARTS` names them in the order in which they run; `common` holds what they share.
+"""
+
+PARTS: tuple[str, ...] = (
+    "invariance",
+    "random_scenes",
+    "contact",
+    "critical",
+    "false_no_path",
+)
