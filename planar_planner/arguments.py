@@ -122,6 +122,12 @@ def _add_query(command: argparse.ArgumentParser) -> None:
         "--json", metavar="FILE", help="write the result as JSON; - for standard output"
     )
     command.add_argument(
+        "--certificate",
+        metavar="FILE",
+        type=Path,
+        help="write the evidence for the answer, compressed if the name ends in .gz; see verify",
+    )
+    command.add_argument(
         "--quiet", action="store_true", help="no statistics and no progress, only the verdict"
     )
     _add_limits(command)

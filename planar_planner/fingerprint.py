@@ -11,8 +11,8 @@ from planar_planner.problem import Problem
 def fingerprint(problem: Problem) -> str:
     """Return the SHA-256 of everything that the answer depends on, hexadecimal.
 
-    Geometry, bounds, start and goal enter as the exact doubles (−0 as 0), each list on a line of its
-    own. Names do not enter.
+    Geometry, bounds, start and goal enter as the exact doubles (−0 as 0), each list on a line of
+    its own. Names do not enter.
     """
     digest = hashlib.sha256(b"planar-planner/problem 1")
 

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from planar_planner._core import Core
+from planar_planner.certificate import make_certificate
 from planar_planner.options import Options
 from planar_planner.placement import check_placements
 from planar_planner.problem import Problem, make_problem, with_query
@@ -20,7 +21,11 @@ SceneLike = Scene | str | os.PathLike[str] | Mapping[str, Any]
 
 
 def solve(
-    scene: SceneLike, options: Options | None = None, *, listener: Listener | None = None
+    scene: SceneLike,
+    options: Options | None = None,
+    *,
+    listener: Listener | None = None,
+    certificate: bool = False,
 ) -> Result:
     """Decide whether the robot can get from start to goal.
 
@@ -32,6 +37,8 @@ def solve(
         Limits of the search.
     listener : callable, optional
         Called about ten times a second with running counts; returning False stops the search.
+    certificate : bool, optional
+        Also make the certificate of a path or of its absence (docs/certificate.md).
 
     Returns
     -------
@@ -43,7 +50,7 @@ def solve(
     SceneError
         If the scene is not valid, or start or goal collide or are out of bounds.
     """
-    return Planner(scene).solve(options=options, listener=listener)
+    return Planner(scene).solve(options=options, listener=listener, certificate=certificate)
 
 
 class Planner:
@@ -72,6 +79,7 @@ class Planner:
         options: Options | None = None,
         *,
         listener: Listener | None = None,
+        certificate: bool = False,
     ) -> Result:
         """Decide whether the robot can get from start to goal.
 
@@ -79,7 +87,7 @@ class Planner:
         ----------
         start, goal : (x, y, theta), optional
             Configurations instead of the scene's own; theta in radians.
-        options, listener
+        options, listener, certificate
             As for `planar_planner.solve`.
 
         Raises
@@ -100,7 +108,12 @@ class Planner:
             limits.contact_tolerance,
             listener,
         )
-        return make_result(query.name, answer)
+        if not certificate:
+            return make_result(query.name, answer)
+        evidence = self._core.evidence()
+        return make_result(
+            query.name, answer, make_certificate(query, evidence, limits.contact_tolerance)
+        )
 
 
 def _make_core(problem: Problem) -> Core:

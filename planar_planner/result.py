@@ -29,6 +29,9 @@ class _Answer:
         Waypoints (x, y, theta), theta in radians and unwrapped; N = 0 without a path.
     stats : mapping
         Counts and times; the keys are listed in docs/method.md.
+    certificate : dict or None
+        The evidence as a JSON object (docs/certificate.md), if it was asked for and the query is
+        decided.
     """
 
     verdict: ClassVar[str]
@@ -36,6 +39,7 @@ class _Answer:
     reason: str
     path: NDArray[np.float64]
     stats: Mapping[str, Any]
+    certificate: dict[str, Any] | None = None
 
     def to_json(self) -> dict[str, Any]:
         """Return the result as a JSON object: plain, finite values only, others as null."""
@@ -75,12 +79,14 @@ _VERDICTS: Mapping[str, type[PathFound] | type[NoPath] | type[Undecided]] = {
 }
 
 
-def make_result(scene: str, answer: Mapping[str, Any]) -> Result:
+def make_result(
+    scene: str, answer: Mapping[str, Any], certificate: dict[str, Any] | None = None
+) -> Result:
     """Build the result from the core's answer."""
     path = np.array(answer["path"], dtype=np.float64).reshape(-1, 3)
     path.setflags(write=False)
     kind = _VERDICTS[answer["verdict"]]
-    return kind(scene, str(answer["reason"]), path, dict(answer["stats"]))
+    return kind(scene, str(answer["reason"]), path, dict(answer["stats"]), certificate)
 
 
 def _plain(value: Any) -> Any:

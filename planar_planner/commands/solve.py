@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from planar_planner.arguments import options_of
-from planar_planner.output import OutputError, check_writable, emit, written_aside
+from planar_planner.output import OutputError, check_writable, complain, emit, written_aside
 from planar_planner.progress import Progress
 from planar_planner.report import headline, statistics
 from planar_planner.scene import Scene, load_scene
@@ -26,14 +26,16 @@ def run(arguments: argparse.Namespace) -> int:
     """Solve, then report: text, JSON, picture. The exit status is the verdict."""
     options = options_of(arguments)
     json_file = None if arguments.json in (None, _STDOUT) else Path(arguments.json)
-    for file in (json_file, arguments.plot):
+    for file in (json_file, arguments.certificate, arguments.plot):
         if file is not None:
             check_writable(file)
     scene = _with_overrides(load_scene(arguments.scene), arguments)
     from planar_planner.planner import solve  # only now: a misspelt name is answered at once
 
     with Progress(sys.stderr, quiet=arguments.quiet) as progress:
-        result = solve(scene, options, listener=progress)
+        result = solve(
+            scene, options, listener=progress, certificate=arguments.certificate is not None
+        )
     if arguments.json == _STDOUT:
         _print_json(result)
     else:
@@ -41,12 +43,24 @@ def run(arguments: argparse.Namespace) -> int:
     if json_file is not None:
         with written_aside(json_file) as aside:
             aside.write_text(as_json(result) + "\n", encoding="utf-8")
+    if arguments.certificate is not None:
+        _write_certificate(result, arguments.certificate)
     if arguments.plot is not None:
         from planar_planner.plot import draw_scene
 
         with written_aside(arguments.plot) as aside:
             draw_scene(scene, result, aside)
     return _EXIT_STATUS[result.verdict]
+
+
+def _write_certificate(result: Result, file: Path) -> None:
+    if result.certificate is None:
+        complain(f"{file} is not written: an undecided answer has no certificate")
+        return
+    from planar_planner.certificate import write_certificate
+
+    with written_aside(file) as aside:
+        write_certificate(result.certificate, aside, file.name)
 
 
 def _with_overrides(scene: Scene, arguments: argparse.Namespace) -> Scene:

@@ -14,6 +14,7 @@
 #include <tuple>
 #include <vector>
 
+#include "bindings_evidence.hpp"
 #include "planner.hpp"
 
 namespace nb = nanobind;
@@ -219,5 +220,6 @@ NB_MODULE(_core, m) {
       .def("solve", &solve, nb::arg("start"), nb::arg("goal"), nb::arg("resolution"),
            nb::arg("max_cells"), nb::arg("timeout"), nb::arg("max_memory"),
            nb::arg("contact_tolerance"), nb::arg("listener").none())
-      .def("check_path", &check_path, nb::arg("path"));
+      .def("check_path", &check_path, nb::arg("path"))
+      .def("evidence", &bindings::evidence);
 }

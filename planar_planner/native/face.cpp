@@ -60,8 +60,12 @@ Link FaceTest::test_face(const CellId a, const CellId b) {
   const ConstraintView list = left.constraints.size() <= right.constraints.size() ? left : right;
   if (const auto connector = quick_connector(a, b, face, list))
     return {LinkState::kOpen, *connector};
+  const std::size_t before = blocked_.size();
   int budget = kFaceBudget;
-  return label_face(face, list, kFaceDepth, budget);
+  const Link link = label_face(face, list, kFaceDepth, budget);
+  if (link.state != LinkState::kBlocked) blocked_.resize(before);
+  for (std::size_t i = before; i < blocked_.size(); ++i) blocked_[i].flat = axis;
+  return link;
 }
 
 // Points worth a try: the face's centre and the guards' projections, at the face's central angle.
@@ -91,11 +95,17 @@ Link FaceTest::label_face(const Extent& face, const ConstraintView& parent, cons
   ConstraintList list;
   const LabelResult result = labeller_.label(motion, posed, parent, list);
   const std::uint64_t turns = middle(face.low[kTheta], face.size[kTheta]);
-  if (result.label == Label::kFull) return {LinkState::kBlocked, {}};
+  if (result.label == Label::kFull) {
+    blocked_.push_back({face, kNoAxis, false, result.witness, {}});
+    return {LinkState::kBlocked, {}};
+  }
   if (result.label == Label::kFree) return {LinkState::kOpen, {motion.t, turns}};
   if (const auto guard = star_.find_guard(motion, posed, view(list)))
     return {LinkState::kOpen, {*guard, turns}};
-  if (joint_.obstructs(motion, posed, view(list))) return {LinkState::kBlocked, {}};
+  if (joint_.obstructs(motion, posed, view(list))) {
+    blocked_.push_back({face, kNoAxis, true, {}, joint_.proof()});
+    return {LinkState::kBlocked, {}};
+  }
   const Axis axis = widest_axis(motion, result.turning_radius, face);
   if (depth == 0 || budget <= 0 || axis == kNoAxis) return {};
   LinkState state = LinkState::kBlocked;

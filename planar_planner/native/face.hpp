@@ -41,6 +41,8 @@ class FaceTest {
   Link test(CellId a, CellId b);
   // A cell is about to be split: its links go.
   void forget(CellId cell);
+  // What proved faces FULL, one claim a part; all of them stay true.
+  [[nodiscard]] const std::vector<FullClaim>& blocked() const { return blocked_; }
 
  private:
   Link test_face(CellId a, CellId b);
@@ -54,6 +56,7 @@ class FaceTest {
   StarTest star_;
   JointTest joint_;
   std::unordered_map<std::uint64_t, Connector> open_;
+  std::vector<FullClaim> blocked_;
 };
 
 }  // namespace planner

@@ -38,29 +38,34 @@ void JointTest::collect(const Motion& motion, const pdg::PosedRobot& posed,
       const double error = pdg::separation_error(*a.piece, b, motion);
       const std::size_t ring = c.owner == EdgeOwner::kObstacle ? a.vertices.size() : b.edges.size();
       for (std::size_t i = 0; i < c.count; ++i)
-        add_term(motion, a, b, c, (c.first + i) % ring, error);
+        add_term(motion, a, b,
+                 {header.obstacle, header.robot, c.edge,
+                  static_cast<std::uint16_t>((c.first + i) % ring), c.owner, 0.0},
+                 error);
     }
     at += header.count;
   }
 }
 
 void JointTest::add_term(const Motion& m, const PosedPiece& a, const ConvexPiece& b,
-                         const Constraint& c, const std::size_t vertex, const double error) {
+                         const JointTerm& source, const double error) {
   Term term{};
   term.error = error;
-  if (c.owner == EdgeOwner::kObstacle) {
-    const pdg::Edge& edge = b.edges[c.edge];
+  term.source = source;
+  if (source.owner == EdgeOwner::kObstacle) {
+    const pdg::Edge& edge = b.edges[source.edge];
+    const Vec2 p = a.vertices[source.vertex];
     term.normal = edge.normal;
-    term.v = dot(edge.normal, a.vertices[vertex]);
-    term.w = cross(a.vertices[vertex], edge.normal);
+    term.v = dot(edge.normal, p);
+    term.w = cross(p, edge.normal);
     term.value = dot(edge.normal, m.t) - edge.offset;
   } else {
-    const Vec2 n = a.normals[c.edge];
-    const Vec2 u = b.edges[vertex].vertex - m.t;
+    const Vec2 n = a.normals[source.edge];
+    const Vec2 u = b.edges[source.vertex].vertex - m.t;
     term.normal = -n;
     term.v = dot(n, u);
     term.w = cross(n, u);
-    term.value = -a.piece->edges[c.edge].offset;
+    term.value = -a.piece->edges[source.edge].offset;
     // |(R(delta) M - M) . e| <= 2 sin(h / 2) |e| <= h (|g1| + |g2|)
     term.bend = m.half_angle * (m.g1_length + m.g2_length);
   }
@@ -184,6 +189,17 @@ bool JointTest::proves(const Motion& m) const {
   const double bound = pdg::sinusoid_range(sum.v, sum.w, m).hi + sum.value + sum.bend + extent;
   // Each term errs by at most `largest`; sums of a few weighted terms stay within twice that.
   return bound < -2.0 * largest * total;
+}
+
+JointProof JointTest::proof() const {
+  JointProof proof;
+  for (std::size_t k = 0; k < terms_.size(); ++k) {
+    if (weights_[k] == 0.0) continue;
+    JointTerm& term = proof.terms[proof.count++];
+    term = terms_[k].source;
+    term.weight = weights_[k];
+  }
+  return proof;
 }
 
 }  // namespace planner

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "constraints.hpp"
+#include "full_claim.hpp"
 #include "obstacle_tree.hpp"
 #include "pdg/native/motion.hpp"
 #include "robot.hpp"
@@ -28,6 +29,9 @@ class JointTest {
   bool obstructs(const pdg::Motion& motion, const pdg::PosedRobot& posed,
                  const ConstraintView& list);
 
+  // The weighted terms behind the last `true`.
+  [[nodiscard]] JointProof proof() const;
+
  private:
   // s_k = value + normal . e + v cos(delta) + w sin(delta), up to +- bend, over the cell's
   // deviations e of the translation and delta of the angle.
@@ -37,13 +41,14 @@ class JointTest {
     double value;
     double bend;
     double error;
+    JointTerm source;
   };
   static constexpr int kRows = 4;  // x, y, delta, and the weights' sum
   using Column = std::array<double, kRows>;
 
   void collect(const pdg::Motion& motion, const pdg::PosedRobot& posed, const ConstraintView& list);
   void add_term(const pdg::Motion& motion, const pdg::PosedPiece& a, const pdg::ConvexPiece& b,
-                const pdg::Constraint& constraint, std::size_t vertex, double error);
+                const JointTerm& source, double error);
   bool find_weights(const pdg::Motion& motion);
   [[nodiscard]] bool proves(const pdg::Motion& motion) const;
 

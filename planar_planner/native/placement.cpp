@@ -92,6 +92,7 @@ Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
     out.clearance = length_to_user(problem, result.clearance);
     return out;
   }
+  out.witness = result.witness;
   const Deepest deepest = deepest_pair(problem, tree, motion, rotation);
   out.state = result.label == Label::kFull ? PlacementState::kColliding : PlacementState::kContact;
   if (out.state == PlacementState::kColliding)

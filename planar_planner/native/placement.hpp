@@ -25,6 +25,7 @@ struct Placement {
   bool wall = false;           // kColliding, kContact: the workspace, not an obstacle
   std::int64_t obstacle = -1;  // kColliding: polygon of the deepest pair; -1 for a wall
   std::uint32_t robot_polygon = 0;
+  Witness witness{};       // kColliding: two pieces that overlap
   double depth = 0.0;      // kColliding: max over pairs of PD^t; kOutside: distance; user's units
   double clearance = 0.0;  // kFree: certified lower bound, user's units
 };

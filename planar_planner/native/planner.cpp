@@ -28,6 +28,7 @@ Answer Planner::solve(const Configuration& start, const Configuration& goal, con
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   if (!ends_not_free(query) && !cheap_move(query) && !disc_answer(query)) subdivide(query);
+  remember(query);
   settle_lifted_ends(query, start, goal);
   complete_answer(query);
   return std::move(query.answer);
@@ -168,6 +169,43 @@ void Planner::complete_answer(Query& query) {
   answer.stopped = query.stopped;
   answer.out_of_cells = query.out_of_cells;
   if (subdivision_) take_census(*subdivision_, answer);
+}
+
+void Planner::remember(const Query& query) {
+  const Answer& answer = query.answer;
+  last_ = {answer.verdict, answer.statistics.decided_by, query.start, query.goal,
+           answer.path.waypoints};
+  if (query.lifted && answer.verdict == Verdict::kNoPath) last_.verdict = Verdict::kUndecided;
+}
+
+Evidence Planner::evidence() {
+  Evidence out;
+  if (last_.verdict == Verdict::kPath) {
+    out.waypoints = last_.waypoints;
+    if (collect_segments(problem_, *tree_, out)) out.kind = ClaimKind::kPath;
+  } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == "disc") {
+    out = disc_inside_->evidence();
+    if (out.kind == ClaimKind::kSeparation) out.kind = ClaimKind::kDisc;
+    out.disc_piece = problem_.robot.inner_piece;
+    return out;
+  } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == "separation") {
+    const auto leaf = [&](const Configuration& q) {
+      return subdivision_->locate(dyadic_point(problem_, q));
+    };
+    out.barrier =
+        find_barrier(*subdivision_, faces_->blocked(), leaf(last_.start), leaf(last_.goal));
+    if (!out.barrier.start_side.empty()) out.kind = ClaimKind::kSeparation;
+  } else if (last_.verdict == Verdict::kNoPath) {
+    const Placement p = placement(last_.decided_by == "start" ? last_.start : last_.goal);
+    out.kind = ClaimKind::kEnd;
+    out.end = last_.decided_by;
+    out.out_of_bounds = p.state == PlacementState::kOutside;
+    out.witness = p.witness;
+  }
+  out.robot_names = robot_names(problem_.robot);
+  out.obstacle_names = obstacle_names(*tree_);
+  collect_polygons(out);
+  return out;
 }
 
 Placement Planner::placement(const Configuration& q) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "evidence.hpp"
 #include "face.hpp"
 #include "limits.hpp"
 #include "placement.hpp"
@@ -33,6 +34,10 @@ class Planner {
   Answer solve(const Configuration& start, const Configuration& goal, const Limits& limits,
                const Listener& listener);
   PathCheck check_path(std::vector<Configuration> path);
+  // Of the last answer; computed now, since most callers do not ask.
+  Evidence evidence();
+  // The disc that stood for the robot (ClaimKind::kDisc).
+  [[nodiscard]] const Planner& disc_inside() const { return *disc_inside_; }
 
  private:
   bool ends_not_free(Query& query);
@@ -43,10 +48,20 @@ class Planner {
   void subdivide(Query& query);
   void prepare_subdivision(const Query& query);
   void complete_answer(Query& query);
+  void remember(const Query& query);
   void settle_lifted_ends(Query& query, const Configuration& start,
                           const Configuration& goal) const;
 
+  // The last query, for its evidence: ends as planned between, and the path between them.
+  struct Last {
+    Verdict verdict = Verdict::kUndecided;
+    std::string decided_by;
+    Configuration start, goal;
+    std::vector<Configuration> waypoints;
+  };
+
   Problem problem_;
+  Last last_;
   Statistics statistics_;  // of the current query
   double preprocessing_ = 0.0;
   std::unique_ptr<ObstacleTree> tree_;

@@ -2,6 +2,9 @@
 // what is returned.
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "problem.hpp"
 #include "scene.hpp"
 
@@ -16,6 +19,9 @@ struct Pose {
 Pose pose_of(const Problem& problem, const Configuration& q);
 // Moved onto the reference bounds where rounding carried it out of them.
 Configuration configuration_of(const Problem& problem, const Pose& pose);
+
+// Its place in the domain, near enough: in units of 2^-60 (cell.hpp).
+std::array<std::uint64_t, 3> dyadic_point(const Problem& problem, const Configuration& q);
 
 // `angle` plus the whole turns that bring it nearest to `theta`.
 double nearest_turn(double angle, double theta);

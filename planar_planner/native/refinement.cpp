@@ -1,8 +1,6 @@
 #include "refinement.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace planner {
 
@@ -27,8 +25,8 @@ Refinement::Refinement(const Problem& problem, ObstacleTree& tree, Subdivision& 
       segments_(segments),
       statistics_(statistics),
       query_(query),
-      start_point_(dyadic(query.start)),
-      goal_point_(dyadic(query.goal)),
+      start_point_(dyadic_point(problem, query.start)),
+      goal_point_(dyadic_point(problem, query.goal)),
       search_(subdivision, statistics) {}
 
 void Refinement::run() {
@@ -194,21 +192,6 @@ bool Refinement::stop() {
                           statistics_.channel_length,
                           statistics_.search_rounds};
   return query_.listener(progress) ? false : reached("interrupted");
-}
-
-std::array<std::uint64_t, 3> Refinement::dyadic(const Configuration& q) const {
-  const Domain& d = problem_.domain;
-  const Vec2 t = to_planner(problem_, {q.x, q.y});
-  const auto count = [](const double fraction) {
-    const double clamped = std::clamp(fraction, 0.0, 1.0);
-    return std::min(
-        static_cast<std::uint64_t>(std::ldexp(clamped, static_cast<int>(kCoordinateBits))),
-        kUnit - 1);
-  };
-  // The library's reduction keeps a few u of a turn whatever theta's magnitude.
-  const double turn = std::atan2(std::sin(q.theta), std::cos(q.theta)) / (2.0 * std::numbers::pi);
-  return {count((t.x - d.low.x) / d.size.x), count((t.y - d.low.y) / d.size.y),
-          problem_.rotation ? count(turn - std::floor(turn)) : 0};
 }
 
 void take_census(const Subdivision& subdivision, Answer& answer) {

@@ -32,8 +32,6 @@ class Refinement {
   void exhaust(CellId cell);
   bool stop();
 
-  [[nodiscard]] std::array<std::uint64_t, 3> dyadic(const Configuration& q) const;
-
   const Problem& problem_;
   ObstacleTree& tree_;
   Subdivision& subdivision_;

@@ -72,8 +72,9 @@ Robot make_robot(const PolygonSet& polygons, const int exponent) {
     robot.first_vertex.push_back(static_cast<std::uint32_t>(robot.vertex_total));
     robot.vertex_total += piece.edges.size();
     robot.reach = std::max(robot.reach, piece.reach);
-    if (&piece != &robot.pieces.back())
-      robot.inner_reach = std::max(robot.inner_reach, -origin_outside(piece));
+    if (&piece == &robot.pieces.back() || -origin_outside(piece) <= robot.inner_reach) continue;
+    robot.inner_reach = -origin_outside(piece);
+    robot.inner_piece = static_cast<std::uint16_t>(&piece - robot.pieces.data());
   }
   robot.first_vertex.push_back(static_cast<std::uint32_t>(robot.vertex_total));
   const double slack = 8.0 * pdg::kUnitRoundoff * robot.reach;

@@ -20,7 +20,8 @@ struct Robot {
   double reach = 0.0;  // max |a|, rounded up
   double inner_reach =
       0.0;  // radius of a disc about the origin inside one piece, rounded down; or 0
-  double hull_distance = 0.0;  // distance of the origin from the hull, rounded up; 0 inside
+  std::uint16_t inner_piece = 0;  // that piece
+  double hull_distance = 0.0;     // distance of the origin from the hull, rounded up; 0 inside
 
   [[nodiscard]] std::size_t body_pieces() const { return pieces.size() - 1; }
   [[nodiscard]] std::uint16_t hull() const { return static_cast<std::uint16_t>(pieces.size() - 1); }

@@ -71,10 +71,7 @@ Subdivision::Subdivision(const CellSpace& space, Labeller& labeller, Statistics&
   ConstraintList root;
   labeller_.root_list(root);
   for (std::uint64_t i = 0; i < (std::uint64_t{1} << root_level()); ++i) {
-    CellBox box;
-    box.level[kTheta] = root_level();
-    box.low[kTheta] = i * box.size(kTheta);
-    cells_.push_back(make_cell(box, view(root)));
+    cells_.push_back(make_cell(root_box(i), view(root)));
     cells_.back().branch = kRoot | static_cast<std::uint32_t>(i);
     roots_.push_back(kLeaf | static_cast<std::uint32_t>(i));
   }
@@ -92,6 +89,13 @@ std::uint8_t Subdivision::root_level() const {
   return space_.rotation ? 2 : 0;
 }
 
+CellBox Subdivision::root_box(const std::size_t part) const {
+  CellBox box;
+  box.level[kTheta] = root_level();
+  box.low[kTheta] = part * box.size(kTheta);
+  return box;
+}
+
 std::uint64_t Subdivision::guard_turns(const CellId id) const {
   const CellBox& box = cells_[id].box;
   return box.low[kTheta] + (space_.rotation ? box.size(kTheta) / 2 : 0);
@@ -99,14 +103,25 @@ std::uint64_t Subdivision::guard_turns(const CellId id) const {
 
 std::size_t Subdivision::bytes() const {
   return cells_.capacity() * sizeof(Cell) + branches_.capacity() * sizeof(Branch) +
-         guards_.capacity() * sizeof(Vec2) + store_.bytes() + neighbour_bytes_;
+         guards_.capacity() * sizeof(Vec2) + proofs_.capacity() * sizeof(JointProof) +
+         store_.bytes() + neighbour_bytes_;
+}
+
+FullClaim Subdivision::claim(const CellId id) const {
+  const Cell& cell = cells_[id];
+  FullClaim claim;
+  claim.box = extent_of(cell.box);
+  claim.joint = cell.joint;
+  if (cell.joint)
+    claim.proof = proofs_[cell.proof];
+  else
+    claim.witness = cell.witness;
+  return claim;
 }
 
 CellId Subdivision::locate(const std::array<std::uint64_t, 3>& point) const {
-  CellBox box;
-  box.level[kTheta] = root_level();
-  const std::uint64_t root = point[kTheta] / box.size(kTheta);
-  box.low[kTheta] = root * box.size(kTheta);
+  const std::uint64_t root = point[kTheta] >> (kCoordinateBits - root_level());
+  CellBox box = root_box(root);
   std::uint32_t at = roots_[root];
   while ((at & kLeaf) == 0) {
     const Branch& branch = branches_[at];
@@ -160,6 +175,9 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
     if (result.separation < 0.0 && joint_.obstructs(motion, posed, view(child_list_))) {
       cell.label = Label::kFull;
       cell.joint = true;
+      cell.proof = static_cast<std::uint32_t>(proofs_.size());
+      grow(proofs_);
+      proofs_.push_back(joint_.proof());
       ++statistics_.joint_cells;
     } else if (++statistics_.star_tests;
                const auto guard = star_.find_guard(motion, posed, view(child_list_))) {
@@ -169,9 +187,9 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
       guards_.push_back(*guard);
     }
   }
-  if (cell.label == Label::kFull)
+  if (cell.label == Label::kFull && !cell.joint)
     cell.witness = result.witness;
-  else if (cell.label != Label::kFree)
+  else if (cell.label == Label::kMixed || cell.label == Label::kStar)
     cell.list = store_.store(child_list_);
   const std::array<double, 3> widths{motion.g1_length, motion.g2_length,
                                      result.turning_radius * motion.half_angle};

@@ -37,7 +37,8 @@ struct Cell {
   std::uint32_t branch = 0;  // whose half it is, times two, plus one if upper
   union {
     ConstraintStore::Handle list{};  // kMixed, kStar: what it leaves undecided
-    Witness witness;                 // kFull
+    Witness witness;                 // kFull, by one pair
+    std::uint32_t proof;             // kFull, joint: index of the proof
   };
   std::vector<CellId> neighbours;  // leaves that are not FULL, sharing a face of positive area
 
@@ -58,6 +59,8 @@ class Subdivision {
   // Number of leaves; ids are 0 .. size() - 1.
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
   [[nodiscard]] const Cell& cell(CellId id) const { return cells_[id]; }
+  // Of a FULL leaf.
+  [[nodiscard]] FullClaim claim(CellId id) const;
   [[nodiscard]] Vec2 guard(CellId id) const { return guards_[cells_[id].guard]; }
   [[nodiscard]] std::uint64_t guard_turns(CellId id) const;
   [[nodiscard]] ConstraintView undecided(CellId id) const { return store_.get(cells_[id].list); }
@@ -83,13 +86,18 @@ class Subdivision {
   // search.
   [[nodiscard]] bool connected(CellId a, CellId b) const;
 
- private:
-  // An inner node of the kd-tree: its halves are leaves (kLeaf set) or branches.
+  // The kd-tree itself: a node is a leaf (kLeaf set, the rest its id) or the index of a branch.
   struct Branch {
     std::uint32_t lower, upper;
     Axis axis;
   };
   static constexpr std::uint32_t kLeaf = std::uint32_t{1} << 31U;
+  // One for each equal part of the theta axis, in order; the box of part i.
+  [[nodiscard]] const std::vector<std::uint32_t>& roots() const { return roots_; }
+  [[nodiscard]] CellBox root_box(std::size_t part) const;
+  [[nodiscard]] const Branch& branch(std::uint32_t node) const { return branches_[node]; }
+
+ private:
   static constexpr std::uint32_t kRoot = std::uint32_t{1} << 31U;  // Cell::branch of a root
 
   [[nodiscard]] std::uint8_t root_level() const;
@@ -112,6 +120,7 @@ class Subdivision {
   std::vector<Branch> branches_;
   std::vector<std::uint32_t> roots_;  // leaves (kLeaf set) or branches
   std::vector<Vec2> guards_;
+  std::vector<JointProof> proofs_;
   ConstraintStore store_;
   ConstraintList parent_list_, child_list_;
   std::vector<CellId> below_, above_;

@@ -1,0 +1,24 @@
+// The evidence that no path exists: few FULL cells and faces that separate start from goal, and the
+// closed set of cells on the start's side (docs/certificate.md, "separation").
+#pragma once
+
+#include <vector>
+
+#include "face.hpp"
+#include "full_claim.hpp"
+#include "subdivision.hpp"
+
+namespace planner {
+
+struct Barrier {
+  std::vector<CellBox> start_side;  // as few boxes as the kd-tree allows
+  std::vector<FullClaim> cells;
+  std::vector<FullClaim> faces;
+};
+
+// A least cut: no other choice among the subdivision's FULL cells and blocked faces that separates
+// the two leaves has fewer of them. Empty if none does. `blocked` are the claims of FaceTest.
+Barrier find_barrier(const Subdivision& subdivision, const std::vector<FullClaim>& blocked,
+                     CellId start, CellId goal);
+
+}  // namespace planner

@@ -1,0 +1,185 @@
+#include "separating_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "pdg/native/tolerances.hpp"
+
+namespace planner {
+
+namespace {
+
+// Parts are halved at most so often, and there are at most so many: far more than a certified
+// segment takes.
+constexpr int kDepth = 50;
+constexpr std::size_t kParts = 1U << 20U;
+
+bool meet(const Vec2 a_low, const Vec2 a_high, const Vec2 b_low, const Vec2 b_high,
+          const double margin) {
+  return a_low.x - margin < b_high.x && b_low.x - margin < a_high.x &&
+         a_low.y - margin < b_high.y && b_low.y - margin < a_high.y;
+}
+
+// Lower bound of n . (R(theta_c + s w) p + t_c + s g) - n . t_c over |s| <= 1
+// (docs/certificate.md).
+double least_towards(const Vec2 n, const Vec2 p, const pdg::Motion& m) {
+  const double h = m.half_angle;
+  const double v = dot(n, p);
+  const double w = cross(p, n);
+  return v - std::abs(dot(n, m.g1) + w * m.turn) - std::max(v, 0.0) * (h * h / 2) -
+         std::abs(w) * (h * h * h / 6);
+}
+
+// The same of R(s w) n . (u - s g).
+double least_turning(const Vec2 n, const Vec2 u, const pdg::Motion& m) {
+  const double h = m.half_angle;
+  const double v = dot(n, u);
+  const double w = cross(n, u);
+  const double along = dot(n, m.g1);
+  const double across = cross(n, m.g1);
+  return v - std::abs(w * m.turn - along) - std::max(v, 0.0) * (h * h / 2) -
+         std::abs(w) * (h * h * h / 6) - std::abs(along) * (h * h / 2) - std::abs(across) * h;
+}
+
+double obstacle_edge_least(const pdg::PosedPiece& a, const pdg::Edge& edge, const pdg::Motion& m) {
+  double least = INFINITY;
+  for (const Vec2 p : a.vertices) least = std::min(least, least_towards(edge.normal, p, m));
+  return least + dot(edge.normal, m.t) - edge.offset;
+}
+
+double robot_edge_least(const pdg::PosedPiece& a, const std::size_t edge, const pdg::ConvexPiece& b,
+                        const pdg::Motion& m) {
+  double least = INFINITY;
+  for (const pdg::Edge& other : b.edges)
+    least = std::min(least, least_turning(a.normals[edge], other.vertex - m.t, m));
+  return least - a.piece->edges[edge].offset;
+}
+
+}  // namespace
+
+// One interval with the robot posed at its middle.
+struct SeparatingEdges::Part {
+  pdg::Motion motion;
+  std::vector<Box> boxes;  // of the robot's pieces, swept
+  Box whole;
+};
+
+SweptBox swept_box(const Problem& problem, const Pose& from, const Pose& to) {
+  // A vertex's box on a part of the segment reaches |delta| (|a_x| + |a_y|) beyond its middle
+  // place.
+  const double half_angle = 0.5 * std::abs(to.theta - from.theta);
+  const double reach = problem.robot.reach * (1.0 + std::numbers::sqrt2 * half_angle);
+  return {{std::min(from.t.x, to.t.x) - reach, std::min(from.t.y, to.t.y) - reach},
+          {std::max(from.t.x, to.t.x) + reach, std::max(from.t.y, to.t.y) + reach}};
+}
+
+std::optional<std::vector<ProvenInterval>> SeparatingEdges::prove(const Pose& from,
+                                                                  const Pose& to) {
+  from_ = from;
+  to_ = to;
+  proven_.clear();
+  gathered_.clear();
+  const SweptBox swept = swept_box(problem_, from, to);
+  if (!tree_.empty()) gather(tree_.root(), {swept.low, swept.high});
+  const std::vector<std::uint32_t> near = gathered_;
+  if (!prove_part({0.0, 1.0}, near, 0)) return std::nullopt;
+  return std::move(proven_);
+}
+
+void SeparatingEdges::gather(const std::uint32_t index, const Box& swept) {
+  const double margin = pdg::kSeparationErrorUnits * pdg::kUnitRoundoff * problem_.domain.reach;
+  if (!meet(tree_.node(index).low, tree_.node(index).high, swept.low, swept.high, margin)) return;
+  tree_.expand(index);
+  if (tree_.node(index).piece != kNoPiece) return gathered_.push_back(tree_.node(index).piece);
+  const std::uint32_t left = tree_.node(index).left;
+  gather(left, swept);
+  gather(left + 1, swept);
+}
+
+bool SeparatingEdges::prove_part(const Interval interval, const std::vector<std::uint32_t>& near,
+                                 const int depth) {
+  if (depth > kDepth || proven_.size() >= kParts) return false;
+  const double middle = 0.5 * (interval.begin + interval.end);
+  const Pose centre = between(from_, to_, middle);
+  Part part{motion_along(problem_, from_, to_, interval), {}, {}};
+  const pdg::Motion& m = part.motion;
+  pose(problem_.robot, rotation_at(centre.theta), posed_);
+  part.whole = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  for (std::size_t i = 0; i < problem_.robot.body_pieces(); ++i) {
+    const pdg::PosedPiece a = posed_piece(problem_.robot, posed_, i);
+    Box box{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (std::size_t k = 0; k < a.vertices.size(); ++k) {
+      const Vec2 v = a.piece->edges[k].vertex;
+      const double e = m.half_angle * (std::abs(v.x) + std::abs(v.y));
+      const Vec2 p = a.vertices[k] + m.t;
+      const Vec2 by{std::abs(m.g1.x) + e, std::abs(m.g1.y) + e};
+      box.low = {std::min(box.low.x, p.x - by.x), std::min(box.low.y, p.y - by.y)};
+      box.high = {std::max(box.high.x, p.x + by.x), std::max(box.high.y, p.y + by.y)};
+    }
+    part.boxes.push_back(box);
+    part.whole.low = {std::min(part.whole.low.x, box.low.x), std::min(part.whole.low.y, box.low.y)};
+    part.whole.high = {std::max(part.whole.high.x, box.high.x),
+                       std::max(part.whole.high.y, box.high.y)};
+  }
+  std::vector<std::uint32_t> here;
+  for (const std::uint32_t piece : near) {
+    const pdg::ConvexPiece& b = tree_.piece(piece);
+    const Vec2 half{b.radius, b.radius};
+    const double margin = separation_error(problem_.robot.pieces.back(), b, m);
+    if (meet(part.whole.low, part.whole.high, b.centre - half, b.centre + half, margin))
+      here.push_back(piece);
+  }
+  ProvenInterval proven{interval, {}};
+  if (within_walls(part) && separate(part, here, proven)) {
+    proven_.push_back(std::move(proven));
+    return true;
+  }
+  return prove_part({interval.begin, middle}, here, depth + 1) &&
+         prove_part({middle, interval.end}, here, depth + 1);
+}
+
+bool SeparatingEdges::within_walls(const Part& part) const {
+  const pdg::PosedPiece hull = posed_piece(problem_.robot, posed_, problem_.robot.hull());
+  for (std::uint32_t wall = 0; wall < tree_.wall_count(); ++wall) {
+    const double error = separation_error(*hull.piece, tree_.piece(wall), part.motion);
+    if (obstacle_edge_least(hull, tree_.piece(wall).edges[0], part.motion) < error) return false;
+  }
+  return true;
+}
+
+bool SeparatingEdges::separate(const Part& part, const std::vector<std::uint32_t>& near,
+                               ProvenInterval& out) {
+  const pdg::Motion& m = part.motion;
+  for (const std::uint32_t piece : near) {
+    const pdg::ConvexPiece& b = tree_.piece(piece);
+    Box box{b.edges[0].vertex, b.edges[0].vertex};
+    for (const pdg::Edge& edge : b.edges) {
+      box.low = {std::min(box.low.x, edge.vertex.x), std::min(box.low.y, edge.vertex.y)};
+      box.high = {std::max(box.high.x, edge.vertex.x), std::max(box.high.y, edge.vertex.y)};
+    }
+    for (std::size_t i = 0; i < problem_.robot.body_pieces(); ++i) {
+      const pdg::PosedPiece a = posed_piece(problem_.robot, posed_, i);
+      const double error = separation_error(*a.piece, b, m);
+      if (!meet(part.boxes[i].low, part.boxes[i].high, box.low, box.high, error)) continue;
+      double best = -INFINITY;
+      SeparatingEdge edge{piece, static_cast<std::uint16_t>(i), 0, pdg::EdgeOwner::kObstacle};
+      const auto consider = [&](const pdg::EdgeOwner owner, const std::size_t k, const double at) {
+        if (at <= best) return;
+        best = at;
+        edge.edge = static_cast<std::uint16_t>(k);
+        edge.owner = owner;
+      };
+      for (std::size_t k = 0; k < b.edges.size(); ++k)
+        consider(pdg::EdgeOwner::kObstacle, k, obstacle_edge_least(a, b.edges[k], m));
+      for (std::size_t k = 0; k < a.normals.size(); ++k)
+        consider(pdg::EdgeOwner::kRobot, k, robot_edge_least(a, k, b, m));
+      if (best < error) return false;
+      out.edges.push_back(edge);
+    }
+  }
+  return true;
+}
+
+}  // namespace planner
