@@ -151,7 +151,9 @@ def _claim(
         content["axis"] = claim["axis"]
     if "pair" in claim:
         return content | _pair(claim["pair"])
-    content["joint"] = [_term(term, robot, obstacles) for term in claim["joint"]]
+    terms = [_term(term, robot, obstacles) for term in claim["joint"]]
+    heaviest = max(term["weight"] for term in terms)  # only ratios count: one unit for any scene
+    content["joint"] = [term | {"weight": term["weight"] / heaviest} for term in terms]
     return content
 
 
