@@ -15,6 +15,9 @@ namespace {
 // Largest half-angle handed to the separation ranges (radians, their limit is pi / 2); wider cells
 // are covered by several turns.
 constexpr double kWidestTurn = 1.5;
+// A stretch may be widened by so much (radians) for the rounding of its centre; with this it stays
+// below pi / 2.
+constexpr double kLargestWidening = 0.05;
 
 // One stretch of orientations with the whole rectangle of translations.
 struct Stretch {
@@ -42,9 +45,13 @@ Stretch make_stretch(const Pose& centre, const HalfExtents& half) {
 std::vector<Stretch> cover(const Cell& cell) {
   const double half = std::min(cell.half.theta, std::numbers::pi * kRadiusPadding);
   if (half <= kWidestTurn) return {make_stretch(cell.centre, cell.half)};
+  const double rounding = kStretchUnits * kUnitRoundoff * (std::abs(cell.centre.theta) + half);
+  // An angle so large that its sums are no angles any more: every orientation, about 0 instead.
+  if (rounding > kLargestWidening)
+    return cover(
+        {{cell.centre.t, 0.0}, {cell.half.x, cell.half.y, std::numbers::pi * kRadiusPadding}});
   const auto count = static_cast<int>(std::ceil(half / kWidestTurn));
   const double part = half / count;
-  const double rounding = 8.0 * kUnitRoundoff * (std::abs(cell.centre.theta) + half);
   std::vector<Stretch> stretches;
   for (int i = 0; i < count; ++i) {
     const double offset = (2 * i + 1 - count) * part;

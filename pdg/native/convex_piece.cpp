@@ -57,7 +57,7 @@ ConvexPiece make_piece(const ConvexPolygon& polygon, const Frame& frame) {
   for (const Edge& edge : piece.edges)
     piece.radius = std::max(piece.radius, norm(edge.vertex - piece.centre));
   // The vertices' own rounding (u reach) counts towards the radius.
-  piece.radius = (piece.radius + 4.0 * kUnitRoundoff * piece.reach) * kRadiusPadding;
+  piece.radius = (piece.radius + kVertexUnits * kUnitRoundoff * piece.reach) * kRadiusPadding;
   return piece;
 }
 

@@ -32,7 +32,7 @@ struct Motion {
   double turn = 0.0;    // straight segment: delta = s1 turn, |turn| = half_angle; 0: delta is free
   double reach = 0.0;   // bounds |t| over the whole set
   double margin = 0.0;  // separation demanded of a pair before it counts as apart
-  double angle_factor = 1.0;  // 1, or more where theta was rounded at larger magnitude
+  double angle_error = 0.0;  // by how much (radians) the centre's angle may be off
 };
 
 // The robot's pieces turned to the centre of a motion: vertices and normals of all pieces, one

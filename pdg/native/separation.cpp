@@ -33,6 +33,56 @@ double turning_extent(const Motion& m, const Vec2 n) {
   return std::max(turning_extent_of(m, n, m.g1 + m.g2), turning_extent_of(m, n, m.g1 - m.g2));
 }
 
+// Part of a constraint's cyclic vertex range.
+struct Arc {
+  std::size_t start;
+  std::size_t length;
+};
+
+struct Least {
+  std::size_t index;  // within the constraint's range
+  double value;
+};
+
+// The vertices that can be the minimiser somewhere in the motion. On a counter-clockwise ring the
+// minimiser walks backwards while delta grows: they are the arc from that at +h to that at -h.
+// Vertices that rounding cannot tell from one of these two count as such, so that none is lost.
+template <class Point>
+Arc minimisers(const Vec2 n, const std::size_t ring, const Constraint& c, const Motion& m,
+               const double error, const Point& point, const Least plus, const Least minus) {
+  const std::size_t count = c.count;
+  const auto ties = [&](const std::size_t i) {
+    const std::size_t k = c.first + i < ring ? c.first + i : c.first + i - ring;
+    const Vec2 p = point(k);
+    const double middle = dot(n, p) * m.cos_half;
+    const double swing = cross(p, n) * m.sin_half;
+    return std::pair{middle + swing <= plus.value + error, middle - swing <= minus.value + error};
+  };
+  const auto ties_somewhere = [&](const std::size_t i) {
+    const auto [at_plus, at_minus] = ties(i);
+    return at_plus || at_minus;
+  };
+  if (count < ring) {  // holds the arc in order
+    std::size_t start = 0;
+    std::size_t end = count - 1;
+    while (start < end && !ties_somewhere(start)) ++start;
+    while (end > start && !ties_somewhere(end)) --end;
+    return {start, end - start + 1};
+  }
+  std::size_t start = plus.index;
+  std::size_t length = (minus.index + count - start) % count + 1;
+  for (; length < count && ties_somewhere((start + count - 1) % count); ++length)
+    start = (start + count - 1) % count;
+  while (length < count && ties_somewhere((start + length) % count)) ++length;
+  // Two vertices that tie at both ends may stand for the arc that leads round the other side.
+  std::size_t everywhere = 0;
+  for (std::size_t i = 0; length > 1 && i < length; ++i) {
+    const auto [at_plus, at_minus] = ties((start + i) % count);
+    if (at_plus && at_minus) ++everywhere;
+  }
+  return everywhere > 1 ? Arc{0, count} : Arc{start, length};
+}
+
 // Lower envelope of n . R(delta) p_i over a cyclic vertex range (for a robot edge the angle runs
 // the other way, which changes nothing). `point(i)` is vertex i seen from the centre of the motion;
 // `aligned(i, value)` says whether the edge from vertex i to i + 1 becomes parallel to the axis
@@ -66,8 +116,10 @@ Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& 
         // convex ring its neighbours decide.
         const Vec2 after = point(k + 1 == ring ? 0 : k + 1) - p;
         const Vec2 before = point(k == 0 ? ring - 1 : k - 1) - p;
-        const double slack = -error * radius;
-        if (dot(p, after) >= slack && dot(p, before) >= slack) peak = std::max(peak, radius);
+        const auto not_below = [&](const Vec2 e) {
+          return dot(p, e) >= -error * (radius + std::abs(e.x) + std::abs(e.y));
+        };
+        if (not_below(after) && not_below(before)) peak = std::max(peak, radius);
       } else {
         lo = -radius;
       }
@@ -78,18 +130,15 @@ Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& 
     out.hi = std::min(out.hi, hi);
   }
   if (c.count <= 1) return out;
-  // On a counter-clockwise ring the minimiser walks backwards while delta grows: the possible ones
-  // are the arc from that at +h to that at -h. A partial range holds the arc in order, up to ties.
-  if (c.count < ring && i_plus > i_minus) std::swap(i_plus, i_minus);
-  const std::size_t length = (i_minus + c.count - i_plus) % c.count + 1;
+  const Arc arc = minimisers(n, ring, c, m, error, point, {i_plus, at_plus}, {i_minus, at_minus});
   double envelope = std::max({at_minus, at_plus, peak});
-  for (std::size_t i = 0; i + 1 < length; ++i) {
+  for (std::size_t i = 0; i + 1 < arc.length; ++i) {
     double value = 0.0;
-    if (aligned(at((i_plus + i) % c.count), value)) envelope = std::max(envelope, value);
+    if (aligned(at((arc.start + i) % c.count), value)) envelope = std::max(envelope, value);
   }
   out.hi = std::min(out.hi, envelope);
-  out.first = static_cast<std::uint16_t>(at(i_plus));
-  out.count = static_cast<std::uint16_t>(length);
+  out.first = static_cast<std::uint16_t>(at(arc.start));
+  out.count = static_cast<std::uint16_t>(arc.length);
   return out;
 }
 
@@ -121,6 +170,10 @@ Range coupled_range(const Vec2 n, const std::size_t ring, const Constraint& c, c
   return range;
 }
 
+bool coupled_turn(const Motion& m) {
+  return m.turn != 0.0 && m.half_angle <= kWidestCoupledTurn;
+}
+
 Range intersection(const Range a, const Range b) {
   return {std::max(a.lo, b.lo), std::min(a.hi, b.hi), a.turning};
 }
@@ -141,7 +194,7 @@ Range obstacle_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motio
   const double shift = dot(n, m.t) - edge.offset;
   const double extent = fixed_extent(m, n);
   const Range box{e.lo + shift - extent, e.hi + shift + extent, 0.5 * (e.hi - e.lo)};
-  if (m.turn == 0.0) return box;
+  if (!coupled_turn(m)) return box;
   const double along = dot(n, m.g1);
   const Range coupled = coupled_range(n, a.vertices.size(), whole, m, 0.0, point,
                                       [&](const double w) { return along + w * m.turn; });
@@ -164,7 +217,7 @@ Range robot_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motion& 
   const double offset = a.piece->edges[c.edge].offset;
   const double extent = turning_extent(m, n);
   const Range box{e.lo - offset - extent, e.hi - offset + extent, 0.5 * (e.hi - e.lo)};
-  if (m.turn == 0.0) return box;
+  if (!coupled_turn(m)) return box;
   // R(delta) n . (u - s g1): u turns the other way round, and |(R(delta) n - n) . g1| <= h |g1|.
   const double along = dot(n, m.g1);
   const Range coupled = coupled_range(n, b.edges.size(), whole, m, m.half_angle * m.g1_length,

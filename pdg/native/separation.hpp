@@ -68,8 +68,8 @@ struct PairVerdict {
 
 // Rounding bound of every value below: |computed - exact| <= separation_error.
 inline double separation_error(const ConvexPiece& a, const ConvexPiece& b, const Motion& motion) {
-  return kSeparationErrorUnits * kUnitRoundoff *
-         (a.reach * motion.angle_factor + b.reach + motion.reach);
+  return (kSeparationErrorUnits * kUnitRoundoff + motion.angle_error) *
+         (a.reach + b.reach + motion.reach);
 }
 
 // Range of v cos(delta) + w sin(delta) over |delta| <= half_angle (half_angle <= pi/2).

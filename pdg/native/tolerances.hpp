@@ -1,42 +1,86 @@
-// Every rounding constant of the library, with unit and derivation. Three things are kept apart:
-// rounding error (here), the user's resolution and the user's contact tolerance (options).
+// Every rounding constant of the library and of the planner, with unit and derivation in short; in
+// full, term by term, in docs/rounding.md. Three things are kept apart: rounding error (here), the
+// user's resolution and the user's contact tolerance (options).
 //
-// Assumptions: IEEE 754 doubles, + - * / sqrt correctly rounded, no contraction
-// (-ffp-contract=off), libm sin and cos within 1 ulp.
+// Assumptions: IEEE 754 doubles rounded to nearest, + - * / sqrt correctly rounded, no contraction
+// (-ffp-contract=off), libm sin, cos and hypot within 1 ulp, magnitudes as the gates admit them.
+//
+// Too small a value makes labels false; too large a one only stops the subdivision earlier.
+// A, B, T: bounds of |a|, |b|, |t|, where a is a robot vertex, b an obstacle vertex and t a
+// translation of the motion, all in the frame of evaluation.
 #pragma once
 
 #include <limits>
+
+// The rounding tests build the core once more with 0: without its margins it must be caught lying.
+#ifndef PDG_MARGIN_SCALE
+#define PDG_MARGIN_SCALE 1.0
+#endif
 
 namespace pdg {
 
 // Unit roundoff u: |fl(x op y) - (x op y)| <= u |x op y|.
 inline constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon() / 2;
 
-// Forward error of every separating-axis function, and of its range over a motion, in units of
-// u * (|a| + |b| + |t|), where |a|, |b|, |t| bound the robot vertices, the obstacle vertices and
-// the translations (all in the evaluation frame). First-order terms, in units of u:
-//   rotated vertex R a          6 |a|   (cos, sin: 3 each with the argument's rounding; products 3)
-//   rotated normal R m         10       (the normal itself: 4)
-//   obstacle edge, v and w     12 |a|   (R a: 6, normal: 4, dot product: 2)
-//     v cos h + |w| sin h      23 |a|   (sqrt(2) (12 + 4))
-//     n . t_c                   8 |t|,  box extent 14 |t|, offset d 7 |b|, sums 4 (|a|+|b|+|t|)
-//     another vertex of B beyond the rounded normal: 8 |b| (4 u times the diameter)
-//   robot edge, v and w        15 (|b|+|t|)  (u_b = b - t_c: 3, normal: 10, dot product: 2)
-//     v cos h + |w| sin h      27 (|b|+|t|), box extent 32 |t|, offset c 7 |a|, sums 5,
-//     another vertex of A beyond the rounded normal: 20 |a|
-//   vertices dropped as no minimiser on the strength of rounded values: twice 27 (|b|+|t|)
-// The largest coefficient is 27 + 32 + 5 + 8 + 54 = 126 (of |t|). Second-order terms and the guard
-// conditions of the star test, which add at most 16 to it, fit below 160.
-// Too small a value makes labels false; too large a one only stops the subdivision earlier.
-inline constexpr double kSeparationErrorUnits = 160.0;
+// Forward error of every separating-axis function, of its range over a motion, and of the distances
+// between bounding circles and boxes, in units of u (A + B + T). Largest coefficients derived, over
+// cells, faces, single configurations and segments: 19 (of A), 34 (of B), 56 (of T).
+inline constexpr double kSeparationErrorUnits = 64.0 * PDG_MARGIN_SCALE;
+
+// Error of a pose's angle that was interpolated between two others, in units of u max |theta|:
+// interpolation 5, waypoints' own rounding 2.
+inline constexpr double kPoseAngleUnits = 8.0 * PDG_MARGIN_SCALE;
+
+// Largest half-angle (radians) at which a segment's turning is expanded about its middle: beyond
+// it the expansion's error would exceed the bound above, and its slack is of no use.
+inline constexpr double kWidestCoupledTurn = 0.5;
+
+// A guard condition of the star test: at most 84 u (A + B + T) (of T; 26 of A, 32 of B), that is
+// 1.5 separation errors.
+inline constexpr double kGuardErrorFactor = 1.5;
+
+// A weighted sum of up to four functions, per unit of weight: at most 75 u (A + B + T) (of T), that
+// is 1.25 separation errors.
+inline constexpr double kJointErrorFactor = 1.25;
 
 // Slack, in the sine of an angle, with which an edge counts as aligned with a direction within a
-// half-angle: two unit normals of error 10 u each, a cross product (3 u) and sin h (2 u), doubled.
-// Counting one edge too many only loosens an upper bound.
-inline constexpr double kAlignmentSlack = 50.0 * kUnitRoundoff;
+// half-angle: normals 4 and 10 u, cross product 2 u, sin h 2 u. Counting one edge too many only
+// loosens an upper bound.
+inline constexpr double kAlignmentSlack = 32.0 * kUnitRoundoff;
 
-// Relative padding that turns a computed radius or extent (a few roundings, at most 16 u) into an
-// upper bound.
+// Relative padding that turns a computed radius, extent or bound of motion (a few roundings of
+// nonnegative terms, at most 16 u) into an upper bound.
 inline constexpr double kRadiusPadding = 1.0 + 32.0 * kUnitRoundoff;
+
+// Rounding of a vertex on its way into the frame of evaluation (1 u of its magnitude) and of the
+// sums that widen bounds by it, in units of u times the largest coordinate.
+inline constexpr double kVertexUnits = 4.0;
+
+// Radius of a disc about the robot's origin inside a piece, from its edges' offsets: 6 u of the
+// largest |a|, and the subtraction.
+inline constexpr double kInnerReachUnits = 8.0;
+// Distance of the origin from the robot's hull, from the nearest points of edges: 5 u of the
+// largest |a|; edges' offsets 6 u; and the sums that widen the domain by it.
+inline constexpr double kHullDistanceUnits = 16.0;
+
+// By how much the domain is grown on every side, in units of u times the planner's unit of length:
+// rounding of the bounds (1), of corner and size (5).
+inline constexpr double kDomainUnits = 8.0;
+
+// Relative slack of the discs that stand for a nearly round robot, in u: libm's cos (2), product
+// and radii (3).
+inline constexpr double kDiscUnits = 16.0;
+
+// By how much, in u relative to it, a way out of contact stays below the contact tolerance.
+inline constexpr double kLiftOffUnits = 8.0;
+
+// Centres of the stretches that a wide cell is cut into, in units of u (|theta| + half-angle).
+inline constexpr double kStretchUnits = 8.0;
+
+// Errors of plain results, for whoever compares them; no verdict leans on these. PD^t of two
+// polygons: in units of u times the diameter of both together. The displacement of a body: in units
+// of u (|t0| + |t1| + r (1 + |theta0| + |theta1|)), r the body's largest radius.
+inline constexpr double kDepthErrorUnits = 12.0;
+inline constexpr double kDisplacementErrorUnits = 16.0;
 
 }  // namespace pdg

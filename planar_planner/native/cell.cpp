@@ -127,8 +127,6 @@ pdg::Motion motion_of(const CellSpace& space, const Extent& e) {
     m.half_angle = half.angle;
     m.cos_half = half.cos;
     m.sin_half = half.sin;
-  } else {
-    m.angle_factor = 1.0 + std::abs(space.fixed_theta);
   }
   return m;
 }

@@ -44,7 +44,7 @@ std::optional<DiscScenes> disc_scenes(const Problem& problem) {
   const Robot& robot = problem.robot;
   if (!problem.rotation || robot.inner_reach <= 0.0 || robot.reach > kDiscRatio * robot.inner_reach)
     return std::nullopt;
-  constexpr double slack = 16.0 * pdg::kUnitRoundoff;
+  constexpr double slack = pdg::kDiscUnits * pdg::kUnitRoundoff;
   const double outer =
       length_to_user(problem, robot.reach) * (1.0 + slack) / std::cos(std::numbers::pi / kSides);
   const double inner = length_to_user(problem, robot.inner_reach) * (1.0 - slack);

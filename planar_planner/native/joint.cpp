@@ -187,8 +187,7 @@ bool JointTest::proves(const Motion& m) const {
   }
   const double extent = std::abs(dot(sum.normal, m.g1)) + std::abs(dot(sum.normal, m.g2));
   const double bound = pdg::sinusoid_range(sum.v, sum.w, m).hi + sum.value + sum.bend + extent;
-  // Each term errs by at most `largest`; sums of a few weighted terms stay within twice that.
-  return bound < -2.0 * largest * total;
+  return bound < -pdg::kJointErrorFactor * largest * total;
 }
 
 JointProof JointTest::proof() const {

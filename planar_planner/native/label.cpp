@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "nearby.hpp"
-#include "pdg/native/tolerances.hpp"
 
 namespace planner {
 
@@ -104,11 +103,7 @@ LabelResult Labeller::label(const Motion& motion, const pdg::PosedRobot& posed,
 
 bool Labeller::visit_node(Pass& pass, const std::uint32_t index) {
   const TreeNode& node = tree_.node(index);
-  const double error = pdg::kSeparationErrorUnits * pdg::kUnitRoundoff *
-                       (robot_.reach + pass.motion.reach +
-                        std::max(std::max(std::abs(node.low.x), std::abs(node.high.x)),
-                                 std::max(std::abs(node.low.y), std::abs(node.high.y))));
-  const double gap = distance_to_box(pass.motion, node.low, node.high) - robot_.reach - error;
+  const double gap = node_gap(pass.motion, robot_.reach, node);
   if (gap >= pass.motion.margin) {
     pass.result.clearance = std::min(pass.result.clearance, gap);
     return true;
@@ -144,8 +139,7 @@ bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
   const pdg::ConvexPiece& a = robot_.pieces[robot];
   const pdg::ConvexPiece& b = tree_.piece(obstacle);
   const Vec2 between = pass.motion.t + pdg::rotate(pass.posed.rotation, a.centre) - b.centre;
-  const double gap = circle_distance(pass.motion, pass.posed.rotation, a, b) -
-                     pdg::separation_error(a, b, pass.motion);
+  const double gap = circle_gap(pass.motion, pass.posed.rotation, a, b);
   LabelResult& result = pass.result;
   if (gap >= pass.motion.margin) {
     result.clearance = std::min(result.clearance, gap);

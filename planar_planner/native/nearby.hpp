@@ -7,11 +7,13 @@
 
 #include "obstacle_tree.hpp"
 #include "pdg/native/motion.hpp"
+#include "pdg/native/separation.hpp"
+#include "pdg/native/tolerances.hpp"
 #include "robot.hpp"
 
 namespace planner {
 
-// Lower bound of the distance from the motion's translations to a rectangle.
+// Distance from the motion's translations to a rectangle, up to rounding.
 inline double distance_to_box(const pdg::Motion& m, const Vec2 low, const Vec2 high) {
   const double ex = std::abs(m.g1.x) + std::abs(m.g2.x);
   const double ey = std::abs(m.g1.y) + std::abs(m.g2.y);
@@ -20,7 +22,16 @@ inline double distance_to_box(const pdg::Motion& m, const Vec2 low, const Vec2 h
   return pdg::norm({std::max(dx, 0.0), std::max(dy, 0.0)});
 }
 
-// Lower bound of the distance between the pieces' bounding circles over the motion.
+// Lower bound of the distance between the robot and whatever is in the node, over the motion.
+inline double node_gap(const pdg::Motion& m, const double robot_reach, const TreeNode& node) {
+  const double largest = std::max(std::max(std::abs(node.low.x), std::abs(node.high.x)),
+                                  std::max(std::abs(node.low.y), std::abs(node.high.y)));
+  const double error =
+      pdg::kSeparationErrorUnits * pdg::kUnitRoundoff * (robot_reach + m.reach + largest);
+  return distance_to_box(m, node.low, node.high) - robot_reach - error;
+}
+
+// Lower bound of the distance between the pieces' bounding circles over the motion, up to rounding.
 inline double circle_distance(const pdg::Motion& m, const pdg::Rotation rotation,
                               const pdg::ConvexPiece& a, const pdg::ConvexPiece& b) {
   const Vec2 d = m.t + pdg::rotate(rotation, a.centre) - b.centre;
@@ -30,14 +41,19 @@ inline double circle_distance(const pdg::Motion& m, const pdg::Rotation rotation
   return pdg::norm({dx, dy}) - pdg::norm(a.centre) * m.half_angle - a.radius - b.radius;
 }
 
-// Calls visit(obstacle piece, robot piece) for every pair whose circles come nearer than `within`
-// (planner units); every other pair is at least that far apart, up to rounding.
+// Lower bound of the distance between the pieces over the motion.
+inline double circle_gap(const pdg::Motion& m, const pdg::Rotation rotation,
+                         const pdg::ConvexPiece& a, const pdg::ConvexPiece& b) {
+  return circle_distance(m, rotation, a, b) - pdg::separation_error(a, b, m);
+}
+
+// Calls visit(obstacle piece, robot piece) for every pair whose circles may come nearer than
+// `within` (planner units); every other pair is at least that far apart.
 template <class Visit>
 void visit_node_pairs(const Robot& robot, ObstacleTree& tree, const std::uint32_t index,
                       const pdg::Motion& motion, const pdg::Rotation rotation, const double within,
                       const Visit& visit) {
-  const TreeNode& node = tree.node(index);
-  if (distance_to_box(motion, node.low, node.high) - robot.reach >= within) return;
+  if (node_gap(motion, robot.reach, tree.node(index)) >= within) return;
   tree.expand(index);
   if (tree.node(index).piece == kNoPiece) {
     const std::uint32_t left = tree.node(index).left;
@@ -47,8 +63,7 @@ void visit_node_pairs(const Robot& robot, ObstacleTree& tree, const std::uint32_
   }
   const std::uint32_t piece = tree.node(index).piece;
   for (std::size_t i = 0; i < robot.body_pieces(); ++i)
-    if (circle_distance(motion, rotation, robot.pieces[i], tree.piece(piece)) < within)
-      visit(piece, i);
+    if (circle_gap(motion, rotation, robot.pieces[i], tree.piece(piece)) < within) visit(piece, i);
 }
 
 template <class Visit>

@@ -13,7 +13,7 @@ namespace {
 // Bounds that hold for the exact coordinates: to_frame errs by u per unit of magnitude.
 void round_outwards(Vec2& low, Vec2& high) {
   const double slack =
-      4.0 * pdg::kUnitRoundoff *
+      pdg::kVertexUnits * pdg::kUnitRoundoff *
       std::max({std::abs(low.x), std::abs(low.y), std::abs(high.x), std::abs(high.y)});
   low = {low.x - slack, low.y - slack};
   high = {high.x + slack, high.y + slack};

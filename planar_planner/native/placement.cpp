@@ -85,7 +85,6 @@ Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
   pdg::Motion motion;
   motion.t = pose.t;
   motion.reach = std::max(problem.domain.reach, pdg::norm(pose.t) * pdg::kRadiusPadding);
-  motion.angle_factor = 1.0 + std::abs(q.theta);
   const pdg::Rotation rotation{std::cos(q.theta), std::sin(q.theta)};
   const LabelResult result = labeller.label(motion, labeller.posed(rotation), view(root), rest);
   if (result.label == Label::kFree) {
@@ -108,11 +107,14 @@ std::optional<Configuration> lift_off(const Problem& problem, SegmentTest& test,
                                       const Configuration& q, const double tolerance) {
   for (int k = kLengths - 1; k >= 0; --k) {
     // A little short of the tolerance, so that rounding cannot carry it beyond.
-    const double length = tolerance * std::ldexp(1.0 - 8.0 * pdg::kUnitRoundoff, -2 * k);
+    const double most = tolerance * (1.0 - pdg::kLiftOffUnits * pdg::kUnitRoundoff);
+    const double length = std::ldexp(most, -2 * k);
     for (int i = 0; i < kDirections; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / kDirections;
       const Configuration moved{q.x + length * std::cos(angle), q.y + length * std::sin(angle),
                                 q.theta};
+      // Far from the user's origin the sums round by more than that.
+      if (std::hypot(moved.x - q.x, moved.y - q.y) > most) continue;
       if (outside_bounds(problem, moved) == 0.0 && test.is_free(pose_of(problem, moved)))
         return moved;
     }

@@ -48,7 +48,7 @@ Rectangle reachable(const Rectangle& box, const Robot& robot) {
 
 Domain make_domain(const Rectangle& box) {
   Domain domain;
-  constexpr double slack = 8.0 * pdg::kUnitRoundoff;  // of planner coordinates, all below 2
+  constexpr double slack = pdg::kDomainUnits * pdg::kUnitRoundoff;
   domain.low = {box.low.x - slack, box.low.y - slack};
   domain.size = {box.high.x - box.low.x + 2 * slack, box.high.y - box.low.y + 2 * slack};
   const double x = std::max(std::abs(box.low.x), std::abs(box.high.x));

@@ -39,9 +39,11 @@ double origin_outside(const pdg::ConvexPiece& piece) {
   return outside;
 }
 
-// Distance of the origin from a convex piece, by its edges' nearest points.
+// Upper bound of the distance of the origin from a convex piece, by its edges' nearest points; 0 if
+// it is inside beyond doubt. Near a sharp vertex it can be far out although no edge's line is.
 double origin_distance(const pdg::ConvexPiece& piece) {
-  if (origin_outside(piece) <= 0.0) return 0.0;
+  const double slack = pdg::kHullDistanceUnits * pdg::kUnitRoundoff * piece.reach;
+  if (origin_outside(piece) < -slack) return 0.0;
   double nearest = INFINITY;
   for (std::size_t k = 0; k < piece.edges.size(); ++k) {
     const Vec2 a = piece.edges[k].vertex;
@@ -49,7 +51,7 @@ double origin_distance(const pdg::ConvexPiece& piece) {
     const double s = std::clamp(-pdg::dot(a, along) / pdg::dot(along, along), 0.0, 1.0);
     nearest = std::min(nearest, pdg::norm(a + s * along));
   }
-  return nearest;
+  return nearest + slack;
 }
 
 }  // namespace
@@ -77,10 +79,9 @@ Robot make_robot(const PolygonSet& polygons, const int exponent) {
     robot.inner_piece = static_cast<std::uint16_t>(&piece - robot.pieces.data());
   }
   robot.first_vertex.push_back(static_cast<std::uint32_t>(robot.vertex_total));
-  const double slack = 8.0 * pdg::kUnitRoundoff * robot.reach;
-  robot.inner_reach = std::max(0.0, robot.inner_reach - slack);
+  robot.inner_reach =
+      std::max(0.0, robot.inner_reach - pdg::kInnerReachUnits * pdg::kUnitRoundoff * robot.reach);
   robot.hull_distance = origin_distance(robot.pieces.back());
-  if (robot.hull_distance > 0.0) robot.hull_distance += slack;
   return robot;
 }
 

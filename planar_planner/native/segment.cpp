@@ -35,7 +35,8 @@ pdg::Motion motion_along(const Problem& problem, const Pose& from, const Pose& t
   m.reach = std::max(problem.domain.reach,
                      std::max(pdg::norm(from.t), pdg::norm(to.t)) * pdg::kRadiusPadding);
   // theta is rounded once at its own magnitude, here and when the pose was made.
-  m.angle_factor = 1.0 + std::max(std::abs(from.theta), std::abs(to.theta));
+  m.angle_error = pdg::kPoseAngleUnits * pdg::kUnitRoundoff *
+                  std::max(std::abs(from.theta), std::abs(to.theta));
   return m;
 }
 

@@ -100,7 +100,7 @@ bool StarTest::collect(const Motion& motion, const PosedRobot& posed, const Cons
     if (closed(header)) return false;
     const PosedPiece a = posed_piece(robot_, posed, header.robot);
     const ConvexPiece& b = tree_.piece(header.obstacle);
-    const double error = pdg::separation_error(*a.piece, b, motion);
+    const double error = pdg::kGuardErrorFactor * pdg::separation_error(*a.piece, b, motion);
     for (std::size_t i = 0; i < header.count; ++i) {
       const Constraint& c = list.constraints[at + i];
       if (c.owner == EdgeOwner::kObstacle)

@@ -50,7 +50,7 @@ pdg::Motion motion_of(const World& world, const Shape& shape, const double scale
   m.cos_half = std::cos(m.half_angle);
   m.sin_half = std::sin(m.half_angle);
   m.reach = world.problem.domain.reach + 2.0;
-  m.angle_factor = 1.0 + std::abs(shape.theta);
+  m.angle_error = pdg::kPoseAngleUnits * pdg::kUnitRoundoff * std::abs(shape.theta);
   return m;
 }
 
