@@ -19,19 +19,21 @@ from provenance import print_provenance, write_csv
 from stress_parts import PARTS
 from stress_parts.common import Row, Settings
 
-HEADER = ("part", "case", "tried", "path", "no_path", "undecided", "refused", "failures", "s")
+SHOWN = 10  # failures printed of each row
+VERDICTS = ("path", "no_path", "undecided", "refused")
+HEADER = ("part", "case", "tried", *VERDICTS, "failures", "s", "check_s")
 
 
 def cells(row: Row) -> tuple[object, ...]:
     """Return a row's columns, as in `HEADER`; the note follows."""
-    verdicts = (row.path, row.no_path, row.undecided, row.refused)
-    return (row.part, row.case, row.tried, *verdicts, len(row.failures), f"{row.seconds:.1f}")
+    counts = (row.tried, *(getattr(row, verdict) for verdict in VERDICTS), len(row.failures))
+    return (row.part, row.case, *counts, f"{row.seconds:.1f}", f"{row.checking:.1f}")
 
 
 def print_row(columns: Sequence[object], note: str) -> None:
     """Print one line of the table."""
     part, case, *numbers = columns
-    print(f"{part:<14} {case:<44}" + "".join(f"{n:>10}" for n in numbers) + f"  {note}", flush=True)
+    print(f"{part:<10} {case:<50}" + "".join(f"{n:>10}" for n in numbers) + f"  {note}", flush=True)
 
 
 def run_part(name: str, settings: Settings) -> list[Row]:
@@ -42,6 +44,16 @@ def run_part(name: str, settings: Settings) -> list[Row]:
         print_row(cells(row), row.note)
     print(f"{name}: {time.perf_counter() - began:.0f} s\n", flush=True)
     return rows
+
+
+def print_failures(rows: Sequence[Row]) -> int:
+    """Print the first failures of each row; return how many there are in all."""
+    for row in rows:
+        for line in row.failures[:SHOWN]:
+            print(f"FAILED {line}")
+        if len(row.failures) > SHOWN:
+            print(f"FAILED {row.part}, {row.case}: {len(row.failures) - SHOWN} more")
+    return sum(len(row.failures) for row in rows)
 
 
 def parsed(arguments: Sequence[str] | None) -> argparse.Namespace:
@@ -75,10 +87,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     print(f"seed:      {given.seed}{' (quick)' if given.quick else ''}\n")
     print_row(HEADER, "note")
     rows = [row for name in given.only or PARTS for row in run_part(name, settings)]
-    failures = [line for row in rows for line in row.failures]
-    for line in failures:
-        print(f"FAILED {line}")
-    print(f"{sum(row.tried for row in rows):,} cases, {len(failures)} failures")
+    failures = print_failures(rows)
+    print(f"{sum(row.tried for row in rows):,} cases, {failures} failures")
     if not given.quick and not given.only:
         table = ((*cells(row), row.note) for row in rows)
         print(f"written: {write_csv('stress.csv', facts, (*HEADER, 'note'), table).name}")

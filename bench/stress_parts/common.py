@@ -16,9 +16,10 @@ from typing import Any
 
 from planar_planner import Options, SceneError, solve
 from planar_planner.result import Result
+from stress_parts.certificates import certificate_failure
 
 Scene = dict[str, Any]
-Solver = Callable[[Mapping[str, Any], Options], Result]
+Solver = Callable[[Mapping[str, Any], Options, bool], Result]
 
 LIMITS = Options(max_cells=200_000, timeout=20.0)
 OVERTIME = 5.0  # seconds past a query's time limit after which it counts as hanging
@@ -27,9 +28,9 @@ CRASHED = "crashed"  # the same: an exception that no input may cause
 CASES_KEPT = 20  # failing scenes written to files, for each row: more say nothing new
 
 
-def planner(scene: Mapping[str, Any], options: Options) -> Result:
+def planner(scene: Mapping[str, Any], options: Options, certificate: bool) -> Result:
     """Ask the planner itself; tests plant another solver in its place."""
-    return solve(scene, options)
+    return solve(scene, options, certificate=certificate)
 
 
 @dataclass(frozen=True)
@@ -47,7 +48,7 @@ class Settings:
     processes : int
         How many may work at a time in the parts that can share their work.
     solver : callable
-        Called with a scene and options in place of the planner.
+        Called as `planner`, in its place.
     failures : path
         Folder for the scenes that failed; made when there is one.
     """
@@ -66,10 +67,11 @@ class Settings:
 
 @dataclass
 class Row:
-    """One line of the table; `tried` cases gave `path`, `no_path`, ... answers.
+    """One line of the table; `tried` cases gave so many `path`, `no_path`, ... answers.
 
-    `note` says what a reader of the table has to know, `failures` hold one line each. Parts that
-    ask for no verdict (faults, hostile input) leave the verdicts at 0 and count in `tried` alone.
+    `seconds` were spent in the planner, `checking` on certificates. `note` says what a reader of
+    the table has to know, `failures` hold one line each. Parts that ask for no verdict (faults,
+    hostile input) leave the verdicts at 0 and count in `tried` alone.
     """
 
     part: str
@@ -80,8 +82,18 @@ class Row:
     undecided: int = 0
     refused: int = 0
     seconds: float = 0.0
+    checking: float = 0.0
     note: str = ""
     failures: list[str] = field(default_factory=list)
+
+    def add(self, other: Row, *, answers: bool = True) -> None:
+        """Add another row: its failures and time, and its answers if they are to be counted."""
+        self.seconds += other.seconds
+        self.checking += other.checking
+        self.failures += other.failures
+        if answers:
+            for name in ("tried", "path", "no_path", "undecided", "refused"):
+                setattr(self, name, getattr(self, name) + getattr(other, name))
 
 
 @dataclass(frozen=True)
@@ -93,11 +105,21 @@ class Answer:
     result: Result | None = None
 
 
-def ask(settings: Settings, row: Row, scene: Scene, options: Options = LIMITS) -> Answer:
-    """Solve a scene; count the answer in `row`, and as failures what no answer may show."""
+def ask(
+    settings: Settings,
+    row: Row,
+    scene: Scene,
+    options: Options = LIMITS,
+    *,
+    certified: bool = False,
+) -> Answer:
+    """Solve a scene; count the answer in `row`, and as failures what no answer may show.
+
+    If `certified`, the answer's certificate is made and checked.
+    """
     began = time.perf_counter()
     try:
-        result = settings.solver(scene, options)
+        result = settings.solver(scene, options, certified)
         answer = Answer(result.verdict, result.reason, result)
     except SceneError as error:
         answer = Answer(REFUSED, str(error))
@@ -115,6 +137,12 @@ def ask(settings: Settings, row: Row, scene: Scene, options: Options = LIMITS) -
     rebuilds = 0 if answer.result is None else answer.result.stats.get("search_rebuilds", 0)
     if rebuilds:
         fail(settings, row, scene, f"search_rebuilds is {rebuilds}")
+    if certified and answer.result is not None:
+        began = time.perf_counter()
+        wrong = certificate_failure(scene, answer.result)
+        row.checking += time.perf_counter() - began
+        if wrong is not None:
+            fail(settings, row, scene, f"certificate of {answer.verdict} rejected: {wrong}")
     return answer
 
 
@@ -124,9 +152,11 @@ def expect(
     scene: Scene,
     allowed: Collection[str],
     options: Options = LIMITS,
+    *,
+    certified: bool = False,
 ) -> Answer:
     """Ask, and count any answer but those `allowed` (and an undecided one) as a failure."""
-    answer = ask(settings, row, scene, options)
+    answer = ask(settings, row, scene, options, certified=certified)
     if answer.verdict not in {*allowed, "undecided", CRASHED}:  # a crash is counted already
         wanted = " or ".join(sorted(allowed))
         fail(settings, row, scene, f"{answer.verdict} where {wanted} is true ({answer.text})")

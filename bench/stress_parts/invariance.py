@@ -1,0 +1,171 @@
+"""What must not change a verdict: where a scene lies, its units, how it is drawn, which way.
+
+Every shipped scene is put on a grid (`maps.snapped`) and its answer must be the manifest's. Then
+
+- *exact* maps and redrawings give the same problem to the last bit: any other verdict than the
+  manifest's, or a refusal, is a contradiction;
+- *rounded* maps give a near problem: every coordinate moves by at most a few units in the last
+  place of the largest one. They are applied only to scenes whose answer is known to survive that
+  (`has_margin`), and where rounding may make a polygon invalid the refusal is no contradiction.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Iterator
+
+import shapely  # type: ignore[import-untyped]
+
+from planar_planner import Options, load_scene
+from planar_planner.builtin import manifest
+from stress_parts import redraw
+from stress_parts.common import Answer, Row, Scene, Settings, ask, expect
+from stress_parts.maps import Similarity, exchanged, rounded, similar, size, snapped
+
+PART = "invariance"
+OPTIONS = Options(max_cells=300_000, timeout=10.0)
+FAR = (3, 6, 9)  # powers of ten: shifts in sizes of the scene, and units
+FAR_BITS = (10, 20, 30)  # the same as powers of two, for exact maps
+FACTOR_BITS = 10  # of a random exact factor's parts: arbitrary angles, to a degree's twentieth
+MARGIN = 1e-6  # of a scene's size; rounding at 1e9 sizes from the origin moves a point by 1.6e-7
+
+Change = Callable[[Scene, random.Random], Scene | None]
+
+
+def run(settings: Settings) -> list[Row]:
+    """Apply every change to every shipped scene."""
+    truth = {name: str(entry["expected"]) for name, entry in manifest().items()}
+    names = list(truth)[: settings.most]
+    scenes = {name: snapped(load_scene(name).to_dict()) for name in names}
+    base = Row(PART, "as shipped, on a grid")
+    answers = {
+        name: expect(settings, base, scene, {truth[name]}, OPTIONS)
+        for name, scene in scenes.items()
+    }
+    margins = Row(PART, "robot eroded: has the scene a margin?")
+    steady = [n for n in names if has_margin(settings, margins, scenes[n], answers[n])]
+    left_out = [name for name in names if name not in steady]
+    if left_out:
+        margins.note = f"none shown, so not in the rounded maps: {', '.join(left_out)}"
+    rows = [base, margins]
+    for case, change, draws, is_exact in _cases():
+        row = Row(PART, case, note="" if is_exact else "rounded")
+        for name in names if is_exact else steady:
+            allowed = {truth[name]} if is_exact else {truth[name], "refused"}
+            for draw in range(settings.count(draws, 1)):
+                rng = random.Random(f"{settings.seed} {case} {name} {draw}")
+                changed = change(scenes[name], rng)
+                if changed is not None:
+                    expect(settings, row, changed, allowed, OPTIONS)
+        rows.append(row)
+    return rows
+
+
+def has_margin(settings: Settings, row: Row, scene: Scene, answer: Answer) -> bool:
+    """Whether moving each point by `MARGIN` sizes cannot change the answer.
+
+    A path: its certified clearance is larger than the sum of the robot's and the obstacles'
+    motions. No path: there is none either for the robot eroded by that sum; where it meets an
+    obstacle, a moved robot meets the moved obstacle.
+    """
+    margin = 2 * MARGIN * size(scene)
+    if answer.result is not None and answer.verdict == "path":
+        return bool(answer.result.stats["least_clearance"] > margin)
+    body = shapely.MultiPolygon(
+        [shapely.Polygon(p[0], p[1:]) for p in redraw.polygons(scene["robot"])]
+    )
+    eroded = shapely.geometry.mapping(body.buffer(-margin, join_style="mitre"))
+    return ask(settings, row, {**scene, "robot": eroded}, OPTIONS).verdict == "no_path"
+
+
+def _cases() -> Iterator[tuple[str, Change, int, bool]]:
+    """Yield name, change, how many random draws of it to take, and whether it is exact."""
+    yield "turned by 90, 180, 270 degrees", _quarter_turned, 3, True
+    yield "turned by arbitrary angles", _turned, 8, True
+    yield "mirrored", lambda s, _: similar(s, Similarity(mirrored=True)), 1, True
+    yield "mirrored and turned by arbitrary angles", _mirrored_turned, 4, True
+    yield "start and goal exchanged", lambda s, _: exchanged(s), 1, True
+    for power, bits in zip(FAR, FAR_BITS, strict=True):
+        yield f"translated by 1e{power} sizes", _translated(bits), 3, True
+    for bits in (*(-b for b in reversed(FAR_BITS)), *FAR_BITS):
+        yield f"scaled by 2^{bits}", _scaled(bits), 1, True
+    yield "turned, mirrored, translated, scaled", _anything, 8, True
+    yield "rings shuffled", redraw.shuffled, 4, True
+    yield "collinear vertices added", redraw.with_collinear, 3, True
+    yield "duplicate vertices added", redraw.with_duplicates, 3, True
+    yield "obstacles cut into triangles", redraw.obstacles_cut, 2, True
+    yield "obstacles cut finely, and overlapping", redraw.obstacles_cut_fine, 1, True
+    yield "robot cut into triangles", redraw.robot_cut, 2, True
+    yield "walls drawn as an obstacle", redraw.walls_drawn, 1, True
+    yield "all redrawings at once, anywhere", _redrawn_anywhere, 4, True
+    yield "turned by arbitrary angles, theta too", _turned_rounded, 8, False
+    for power in FAR:
+        yield f"translated by 1e{power} sizes, off the grid", _translated_rounded(power), 3, False
+    for power in (*(-p for p in reversed(FAR)), *FAR):
+        yield f"scaled by 1e{power}", _scaled_rounded(power), 1, False
+
+
+def _factor(rng: random.Random) -> complex:
+    """Return a random complex number of `FACTOR_BITS` bits: any angle, and some scale."""
+    largest = 2**FACTOR_BITS
+    angle = rng.uniform(0.0, 2.0 * math.pi)
+    return complex(round(largest * math.cos(angle)), round(largest * math.sin(angle)))
+
+
+def _shift(scene: Scene, bits: int, rng: random.Random) -> complex:
+    """Return a shift by 2^bits sizes in x, y or both: exact on the scene's grid."""
+    x, y = rng.choice(((1, 0), (0, -1), (-1, 1), (1, 1)))
+    return complex(x, y) * size(scene) * 2.0**bits
+
+
+def _quarter_turned(scene: Scene, rng: random.Random) -> Scene | None:
+    return similar(scene, Similarity(rng.choice((1j, -1, -1j))))
+
+
+def _turned(scene: Scene, rng: random.Random) -> Scene | None:
+    return similar(scene, Similarity(_factor(rng)))
+
+
+def _mirrored_turned(scene: Scene, rng: random.Random) -> Scene | None:
+    return similar(scene, Similarity(_factor(rng), mirrored=True))
+
+
+def _translated(bits: int) -> Change:
+    return lambda scene, rng: similar(scene, Similarity(shift=_shift(scene, bits, rng)))
+
+
+def _scaled(bits: int) -> Change:
+    return lambda scene, _: similar(scene, Similarity(2.0**bits))
+
+
+def _anything(scene: Scene, rng: random.Random) -> Scene | None:
+    unit = 2.0 ** rng.randrange(-40, 2)  # with the rest below the gate's largest coordinate, 1e12
+    by = Similarity(
+        unit * _factor(rng),
+        unit * 2.0**FACTOR_BITS * _shift(scene, rng.randrange(10, 19), rng),
+        rng.random() < 0.5,
+    )
+    return similar(scene, by)
+
+
+def _redrawn_anywhere(scene: Scene, rng: random.Random) -> Scene | None:
+    pieces = rng.choice((redraw.obstacles_cut, redraw.with_collinear, redraw.walls_drawn))
+    drawn = redraw.with_duplicates(redraw.shuffled(pieces(scene, rng), rng), rng)
+    return _anything(drawn, rng)
+
+
+def _turned_rounded(scene: Scene, rng: random.Random) -> Scene | None:
+    return rounded(scene, rng.uniform(-math.pi, math.pi), 1.0, (0.0, 0.0))
+
+
+def _translated_rounded(power: int) -> Change:
+    def change(scene: Scene, rng: random.Random) -> Scene | None:
+        far, angle = 10.0**power * size(scene), rng.uniform(-math.pi, math.pi)
+        return rounded(scene, 0.0, 1.0, (far * math.cos(angle), far * math.sin(angle)))
+
+    return change
+
+
+def _scaled_rounded(power: int) -> Change:
+    return lambda scene, _: rounded(scene, 0.0, 10.0**power, (0.0, 0.0))
