@@ -115,6 +115,8 @@ def written_aside(file: Path) -> Iterator[Path]:
         aside = None
     except OSError as error:
         raise OutputError(f"cannot write {file}: {error.strerror or error}") from None
+    except MemoryError:
+        raise OutputError(f"cannot write {file}: out of memory") from None
     finally:
         if aside is not None:
             with contextlib.suppress(OSError):

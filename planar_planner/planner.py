@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import os
+import threading
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+import numpy as np
+
 from planar_planner._core import Core
 from planar_planner.certificate import make_certificate
+from planar_planner.errors import SceneError
 from planar_planner.options import Options
 from planar_planner.placement import check_placements
 from planar_planner.problem import Problem, make_problem, with_query
-from planar_planner.result import Result, make_result
+from planar_planner.result import Result, Undecided, make_result
 from planar_planner.scene import Scene, load_scene
 
 Listener = Callable[[dict[str, Any]], bool]
@@ -70,7 +74,8 @@ class Planner:
     def __init__(self, scene: SceneLike) -> None:
         self.scene = scene if isinstance(scene, Scene) else load_scene(scene)
         self.problem = make_problem(self.scene)
-        self._core = _make_core(self.problem)
+        self._core: Core | None = _make_core(self.problem)
+        self._busy = threading.Lock()
 
     def solve(
         self,
@@ -94,11 +99,36 @@ class Planner:
         ------
         SceneError
             If start or goal is no configuration, collides or is out of bounds.
+        RuntimeError
+            If a query of this planner is being answered, by another thread or around the listener.
         """
         limits = options or Options()
         query = with_query(self.problem, start, goal)
-        check_placements(self._core, query, limits.contact_tolerance)
-        answer = self._core.solve(
+        if not self._busy.acquire(blocking=False):
+            raise RuntimeError("a planner answers one query at a time")
+        try:
+            return self._answer(query, limits, listener, certificate)
+        except MemoryError:
+            return Undecided(query.name, "out of memory", np.empty((0, 3)), {})
+        finally:
+            self._busy.release()
+
+    def _answer(
+        self, query: Problem, limits: Options, listener: Listener | None, certificate: bool
+    ) -> Result:
+        """Ask the core.
+
+        It is kept for the next query only if it has answered this one: an exception, of a listener
+        or for want of memory, may have left cells half divided.
+        """
+        core = self._core or _make_core(self.problem)
+        self._core = None
+        try:
+            check_placements(core, query, limits.contact_tolerance)
+        except SceneError:
+            self._core = core
+            raise
+        answer = core.solve(
             query.start,
             query.goal,
             limits.resolution,
@@ -108,9 +138,10 @@ class Planner:
             limits.contact_tolerance,
             listener,
         )
-        if not certificate:
+        evidence = core.evidence() if certificate else None
+        self._core = core
+        if evidence is None:
             return make_result(query.name, answer)
-        evidence = self._core.evidence()
         return make_result(
             query.name, answer, make_certificate(query, evidence, limits.contact_tolerance)
         )

@@ -102,6 +102,15 @@ def draw_scene(
     return figure
 
 
+def save_picture(figure: Figure, file: str | os.PathLike[str], suffix: str) -> None:
+    """Write a figure to just this file, in the format of `suffix` whatever the file is called.
+
+    Without a format matplotlib would take one from the name, and add it to a name that has none: a
+    link's target, a device.
+    """
+    figure.savefig(file, dpi=DPI, format=suffix.lower().removeprefix("."))
+
+
 def polygon_paths(polygons: Polygons) -> list[Path]:
     """Return one closed path a polygon; outer rings anticlockwise, holes clockwise, for filling."""
     paths = []

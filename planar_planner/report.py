@@ -22,6 +22,7 @@ _HINTS = {
     "cell limit reached": "a larger --max-cells may decide it",
     "time limit reached": "a longer --timeout may decide it",
     "memory limit reached": "a larger --max-memory may decide it",
+    "out of memory": "a --max-memory below what there is stops in time, and counts",
     "contact tolerance": "--contact-tolerance LENGTH allows it",
 }
 
@@ -35,6 +36,8 @@ def headline(result: Result) -> str:
 def statistics(result: Result) -> str:
     """Return what was done and what it took; a statistic that the core left out is left out."""
     stats = result.stats
+    if not stats:  # out of memory: nothing is left to count
+        return f"  {_hint_line(result)}"
     lines = [
         _hint_line(result),
         _path_line(result, stats),

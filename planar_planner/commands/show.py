@@ -20,10 +20,11 @@ def run(arguments: argparse.Namespace) -> int:
     scene = load_scene(arguments.scene)
     emit(description(scene, make_problem(scene)))
     if arguments.plot is not None:
-        from planar_planner.plot import draw_scene
+        from planar_planner.plot import draw_scene, save_picture
 
+        figure = draw_scene(scene, None)
         with written_aside(arguments.plot) as aside:
-            draw_scene(scene, None, aside)
+            save_picture(figure, aside, arguments.plot.suffix)
     return 0
 
 

@@ -46,10 +46,11 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.certificate is not None:
         _write_certificate(result, arguments.certificate)
     if arguments.plot is not None:
-        from planar_planner.plot import draw_scene
+        from planar_planner.plot import draw_scene, save_picture
 
+        figure = draw_scene(scene, result)
         with written_aside(arguments.plot) as aside:
-            draw_scene(scene, result, aside)
+            save_picture(figure, aside, arguments.plot.suffix)
     return _EXIT_STATUS[result.verdict]
 
 
