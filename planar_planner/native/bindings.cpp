@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bindings_evidence.hpp"
+#include "bindings_state_check.hpp"
 #include "planner.hpp"
 
 namespace nb = nanobind;
@@ -222,4 +223,5 @@ NB_MODULE(_core, m) {
            nb::arg("contact_tolerance"), nb::arg("listener").none())
       .def("check_path", &check_path, nb::arg("path"))
       .def("evidence", &bindings::evidence);
+  bindings::add_state_check(m);
 }
