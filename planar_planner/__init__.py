@@ -17,35 +17,42 @@ if TYPE_CHECKING:
     from planar_planner.planner import Planner, solve
     from planar_planner.result import NoPath, PathFound, Result, Undecided
     from planar_planner.scene import Scene, load_scene
+    from planar_planner.verify import CertificateError, Rejected, verify_certificate
 
     __version__: str
 
 _HOMES = {
+    "CertificateError": "verify",
     "NoPath": "result",
     "Options": "options",
     "OptionsError": "errors",
     "PathFound": "result",
     "Planner": "planner",
+    "Rejected": "verify",
     "Result": "result",
     "Scene": "scene",
     "SceneError": "errors",
     "Undecided": "result",
     "load_scene": "scene",
     "solve": "planner",
+    "verify_certificate": "verify",
 }
 
 __all__ = [
+    "CertificateError",
     "NoPath",
     "Options",
     "OptionsError",
     "PathFound",
     "Planner",
+    "Rejected",
     "Result",
     "Scene",
     "SceneError",
     "Undecided",
     "load_scene",
     "solve",
+    "verify_certificate",
 ]
 
 

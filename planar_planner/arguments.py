@@ -20,10 +20,13 @@ examples:
   planar-planner solve gear --plot gear.png
   planar-planner check gear-jammed
   planar-planner solve my_scene.json --start 1,2,0 --goal 8,2,1.5708 --json result.json
+  planar-planner solve gear --certificate gear.cert.json
+  planar-planner verify gear gear.cert.json
   planar-planner list
   planar-planner show maze --plot maze.png
 
-exit status: 0 path, 1 no path (proven), 2 bad input or usage, 3 undecided"""
+exit status: 0 path, 1 no path (proven), 2 bad input or usage, 3 undecided
+of verify:   0 valid, 1 rejected, 2 unreadable"""
 
 
 class _Version(argparse.Action):
@@ -49,6 +52,7 @@ def make_parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     _add_solve(commands)
     _add_check(commands)
+    _add_verify(commands)
     _add_list(commands)
     _add_show(commands)
     return parser
@@ -76,6 +80,16 @@ def _add_check(commands: Any) -> None:
     check = _add_command(commands, "check", "like solve, but print only the verdict")
     _add_query(check)
     check.set_defaults(run=_run_solve, plot=None, verdict_only=True)
+
+
+def _add_verify(commands: Any) -> None:
+    verify = _add_command(commands, "verify", "check a certificate with independent, exact code")
+    _add_scene(verify)
+    verify.add_argument("certificate", metavar="CERT", help="what solve --certificate has written")
+    _add_ends(verify)
+    _add_json(verify, "the finding")
+    _add_contact_tolerance(verify, "the ends of a path may have been moved")
+    verify.set_defaults(run=_run_verify)
 
 
 def _add_list(commands: Any) -> None:
@@ -109,8 +123,7 @@ def _add_plot(command: argparse.ArgumentParser, what: str) -> None:
     )
 
 
-def _add_query(command: argparse.ArgumentParser) -> None:
-    _add_scene(command)
+def _add_ends(command: argparse.ArgumentParser) -> None:
     for name in ("start", "goal"):
         command.add_argument(
             f"--{name}",
@@ -118,9 +131,28 @@ def _add_query(command: argparse.ArgumentParser) -> None:
             type=_configuration,
             help=f"{name} here instead of where the scene says; theta in radians",
         )
+
+
+def _add_json(command: argparse.ArgumentParser, what: str) -> None:
     command.add_argument(
-        "--json", metavar="FILE", help="write the result as JSON; - for standard output"
+        "--json", metavar="FILE", help=f"write {what} as JSON; - for standard output"
     )
+
+
+def _add_contact_tolerance(command: Any, what: str) -> None:
+    command.add_argument(
+        "--contact-tolerance",
+        type=float,
+        metavar="LENGTH",
+        default=_DEFAULTS.contact_tolerance,
+        help=f"how far {what} off contact (default: %(default)g)",
+    )
+
+
+def _add_query(command: argparse.ArgumentParser) -> None:
+    _add_scene(command)
+    _add_ends(command)
+    _add_json(command, "the result")
     command.add_argument(
         "--certificate",
         metavar="FILE",
@@ -163,13 +195,7 @@ def _add_limits(command: argparse.ArgumentParser) -> None:
         default=_DEFAULTS.max_memory,
         help="memory of the cells, with unit K, M, G or T (default: 4G)",
     )
-    limits.add_argument(
-        "--contact-tolerance",
-        type=float,
-        metavar="LENGTH",
-        default=_DEFAULTS.contact_tolerance,
-        help="how far a touching start or goal may be moved off contact (default: %(default)g)",
-    )
+    _add_contact_tolerance(limits, "a touching start or goal may be moved")
 
 
 def options_of(arguments: argparse.Namespace) -> Options:
@@ -213,6 +239,12 @@ def _picture(text: str) -> Path:
 
 def _run_solve(arguments: argparse.Namespace) -> int:
     from planar_planner.commands.solve import run
+
+    return run(arguments)
+
+
+def _run_verify(arguments: argparse.Namespace) -> int:
+    from planar_planner.commands.verify import run
 
     return run(arguments)
 

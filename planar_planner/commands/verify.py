@@ -1,0 +1,73 @@
+"""`planar-planner verify`: check a certificate, and report what it proves or where it fails."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import time
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from planar_planner.errors import one_line
+from planar_planner.options import Options
+from planar_planner.output import check_writable, complain, emit, written_aside
+from planar_planner.scene import load_scene
+
+_STDOUT = "-"
+_VERDICTS = {"path": "path", "no_path": "no path"}
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Verify, then report: 0 valid, 1 rejected, 2 unreadable."""
+    tolerance = Options(contact_tolerance=arguments.contact_tolerance).contact_tolerance
+    json_file = None if arguments.json in (None, _STDOUT) else Path(arguments.json)
+    if json_file is not None:
+        check_writable(json_file)
+    scene = load_scene(arguments.scene)
+    scene = replace(scene, start=arguments.start or scene.start, goal=arguments.goal or scene.goal)
+    status, finding = _finding(scene, arguments.certificate, tolerance)
+    text = json.dumps(finding, indent=1, allow_nan=False)
+    if arguments.json == _STDOUT:
+        emit(text)
+    elif status == 2:
+        complain(f"{arguments.certificate}: {finding['problem']}")
+    else:
+        emit(_headline(finding))
+    if json_file is not None:
+        with written_aside(json_file) as aside:
+            aside.write_text(text + "\n", encoding="utf-8")
+    return status
+
+
+def _finding(scene: Any, certificate: str, tolerance: float) -> tuple[int, dict[str, Any]]:
+    """Return the exit status, and the finding as JSON."""
+    from planar_planner.verify import CertificateError, Rejected, verify_certificate  # takes numpy
+
+    began = time.monotonic()
+    common = {"format": "planar-planner/verification", "version": 1, "scene": scene.name}
+    try:
+        report = verify_certificate(scene, certificate, tolerance)._asdict()
+    except Rejected as found:
+        status, content = 1, {"claim": one_line(found.place), "problem": one_line(found.problem)}
+    except CertificateError as found:
+        status, content = 2, {"claim": "", "problem": one_line(str(found))}
+    except MemoryError:
+        status, content = 2, {"claim": "", "problem": "is too large for the memory"}
+    else:
+        status, content = 0, report
+    finding = ("valid", "rejected", "unreadable")[status]
+    seconds = round(time.monotonic() - began, 3)
+    return status, common | {"finding": finding} | content | {"seconds": seconds}
+
+
+def _headline(finding: dict[str, Any]) -> str:
+    if finding["finding"] == "rejected":
+        return f"rejected: {finding['claim']}: {finding['problem']}"
+    tolerance = finding["contact_tolerance"]
+    moved = f", its ends within {tolerance:g} of start and goal" if tolerance else ""
+    proof = "" if finding["proof"] == "path" else f" ({finding['proof']})"
+    return (
+        f"valid: {_VERDICTS[finding['verdict']]}{proof}{moved}\n"
+        f"{finding['claims']} claims checked in {finding['seconds']:.2f} s"
+    )

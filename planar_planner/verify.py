@@ -1,0 +1,925 @@
+"""The checker of certificates: docs/certificate.md as code. It shares nothing with the planner.
+
+Whatever it accepts is an inequality between integers, and `demand` is its only way to reject.
+Lengths are integers in units of 2^-UNIT, which hold the doubles of scenes and the corners of boxes
+exactly; cosines and sines are integers in units of 2^-BITS, off by at most one. For one vertex and
+one edge, at translation t and angle θ, the separating-axis function is C + D cos θ + E sin θ, and
+linear in t.
+"""
+
+from __future__ import annotations
+
+import gzip
+import json
+import math
+import os
+import reprlib
+import zlib
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from functools import cached_property, lru_cache
+from itertools import chain, pairwise, product
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from planar_planner.fingerprint import fingerprint
+from planar_planner.problem import Polygons, Problem, make_problem
+from planar_planner.scene import Scene, load_scene
+
+UNIT, BITS, WORK = 320, 120, 220  # bits after the binary point: lengths; cosines; angles
+LEVELS = 60  # deepest dyadic box
+HALVINGS = 60  # of a box's angles, in search of one vertex for each part
+MAX_BYTES, MAX_VALUES = 2**28, 2**24  # of a certificate, uncompressed: they bound time and memory
+ONE = 1 << UNIT
+NORMALS = {"x_min": (ONE, 0), "x_max": (-ONE, 0), "y_min": (0, ONE), "y_max": (0, -ONE)}  # of walls
+
+Vector = tuple[int, int]
+Rotation = tuple[int, int]  # cos, sin
+Region = tuple[int, int, int, int]  # xmin, ymin, xmax, ymax
+Pose = tuple[Vector, float]  # translation, theta
+Polygon = list[list[Vector]]  # rings with the interior on the left: outer one, holes
+Pair = tuple[int, int, int, int]  # p, i, q, j
+Box = tuple[tuple[int, int], tuple[int, int], tuple[int, int]]  # level and index on each axis
+Waypoint = tuple[int, int, float, int]  # x, y, theta, turns
+Source = str | os.PathLike[str] | Mapping[str, Any]
+
+
+class _Located(Exception):  # noqa: N818
+    def __init__(self, place: str, problem: str) -> None:
+        super().__init__(f"{place}: {problem}" if place else problem)
+        self.place, self.problem = place, problem
+
+
+class CertificateError(_Located, ValueError):
+    """A certificate that cannot be read: where, and what is expected there."""
+
+
+class Rejected(_Located):
+    """The first claim found that is false, or that the certificate does not prove."""
+
+
+def demand(holds: bool, place: str, problem: str) -> None:
+    """Reject the certificate unless a claim holds."""
+    if not holds:
+        raise Rejected(place, problem)
+
+
+class Report(NamedTuple):
+    """What a valid certificate proves."""
+
+    verdict: str  # "path" or "no_path"
+    proof: str  # "path", "separation", "disc" or "end"
+    contact_tolerance: float  # the path's ends may be so far from start and goal
+    claims: int  # that were checked: boxes, faces, pairs on intervals
+
+
+def verify_certificate(
+    scene: Source | Scene, certificate: Source, contact_tolerance: float = 0.0
+) -> Report:
+    """Check a certificate (a file, or its content) against a scene.
+
+    A path may begin and end off contact by `contact_tolerance`, if the certificate says so. Raises
+    `SceneError`, `CertificateError` if the certificate cannot be read, and `Rejected`.
+    """
+    problem = make_problem(scene if isinstance(scene, Scene) else load_scene(scene))
+    content = read_certificate(certificate)
+    case = make_case(problem, content)
+    tolerance = content.get("contact_tolerance", 0.0)
+    demand(content["scene"] == fingerprint(problem), "scene", "is not the one certified")
+    demand(0 <= tolerance <= contact_tolerance, "contact_tolerance", "is more than allowed")
+    check_pieces(case, content)
+    proof = content.get("claim", "path")
+    check = {
+        "path": check_path,
+        "separation": check_separation,
+        "disc": check_disc,
+        "end": check_end,
+    }
+    return Report(content["verdict"], proof, tolerance, check[proof](case, content))
+
+
+# --- Reading: the form of a certificate, nothing of its truth ---
+
+
+def units(number: float) -> int:
+    """Return a double in units of length; those of scenes are multiples of 2^-219."""
+    above, below = number.as_integer_ratio()
+    return above << (UNIT + 1 - below.bit_length())
+
+
+def _leaf(
+    what: str, fits: Callable[[Any], bool], convert: Callable[[Any], Any] = lambda v: v
+) -> Any:
+    def read(value: Any) -> Any:
+        if not fits(value):
+            raise CertificateError("", f"must be {what} (got {reprlib.repr(value)[:60]})")
+        return convert(value)
+
+    return read
+
+
+def _integer(low: int, high: int) -> Any:
+    return _leaf("an integer within limits", lambda v: type(v) is int and low <= v <= high)
+
+
+def _number(limit: int, bits: int, convert: Callable[[float], Any] = float) -> Any:
+    def fits(v: Any) -> bool:
+        finite = type(v) in (int, float) and abs(v) <= limit
+        return finite and float(v).as_integer_ratio()[1] <= 1 << bits
+
+    return _leaf("a number within limits", fits, lambda v: convert(float(v)))
+
+
+def _one_of(*names: str) -> Any:
+    return _leaf(" or ".join(names), lambda v: isinstance(v, str) and v in names)
+
+
+def _any_of(*specs: dict[str, Any]) -> Any:
+    """Read an object as the spec that its fields fit best."""
+
+    def read(value: Any) -> Any:
+        names = value.keys() if isinstance(value, dict) else set()
+        return _read(value, min(specs, key=lambda spec: len(spec.keys() ^ names)))
+
+    return read
+
+
+def _read(value: Any, spec: Any) -> Any:
+    """Return `value` read as a leaf, {field: spec}, {"*": spec}, [spec of all] or (specs)."""
+    if callable(spec):
+        return spec(value)
+    _leaf(
+        "an object" if isinstance(spec, dict) else "a list",
+        lambda v: isinstance(v, dict if isinstance(spec, dict) else list),
+    )(value)
+    if isinstance(spec, list):
+        return [_inner(i, value[i], spec[0]) for i in range(len(value))]
+    if isinstance(spec, tuple):
+        _leaf(f"a list of {len(spec)}", lambda v: len(v) == len(spec))(value)
+        return tuple([_inner(i, value[i], spec[i]) for i in range(len(spec))])
+    if "*" in spec:
+        spec = dict.fromkeys(value, spec["*"])
+    for name in sorted(spec.keys() ^ value.keys()):
+        raise CertificateError(name[:60], "is missing" if name in spec else "is an unknown field")
+    return {name: _inner(name, value[name], spec[name]) for name in spec}
+
+
+def _inner(name: str | int, value: Any, spec: Any) -> Any:
+    try:
+        return _read(value, spec)
+    except CertificateError as error:
+        own = f"[{name}]" if isinstance(name, int) else name[:60]
+        dot = "." if error.place and error.place[0] != "[" else ""
+        raise CertificateError(own + dot + error.place, error.problem) from None
+
+
+_INDEX, _SPAN = _integer(0, 2**31), (_integer(0, LEVELS), _integer(0, 2**LEVELS))
+_LENGTH, _ANGLE = _number(2**100, UNIT - LEVELS, units), _number(2**20, UNIT)
+_FINITE, _TEXT = _number(2**1000, 1100), _leaf("a string", lambda v: isinstance(v, str))
+_POINT, _PAIR, _BOX = (_LENGTH,) * 2, (_INDEX,) * 4, (_SPAN,) * 3
+_DYADIC = (_integer(-(2**200), 2**200), _integer(LEVELS - UNIT, 100))
+_OWNER, _WALL, _NO_PATH = _one_of("obstacle", "robot"), _one_of(*NORMALS), _one_of("no_path")
+_TERM = {"pair": _PAIR, "owner": _OWNER, "edge": _INDEX, "vertex": _INDEX, "weight": _FINITE}
+_TERMS = [_any_of(_TERM, {"wall": _WALL, "vertex": _POINT, "weight": _FINITE})]
+_CLAIMS: list[dict[str, Any]] = [{"pair": _PAIR}, {"wall": _WALL}, {"joint": _TERMS}]
+_PATH = {
+    "verdict": _one_of("path"),
+    "contact_tolerance": _FINITE,
+    "waypoints": [(_LENGTH, _LENGTH, _ANGLE, _integer(-(2**20), 2**20))],
+    "segments": [[{"from": _LENGTH, "to": _LENGTH, "apart": [(*_PAIR, _OWNER, _INDEX)]}]],
+}
+_SEPARATION = {
+    "verdict": _NO_PATH,
+    "claim": _one_of("separation"),
+    "domain": {"low": (_DYADIC, _DYADIC), "size": (_DYADIC, _DYADIC)},
+    "start_side": [_BOX],
+    "full": [_any_of(*({"box": _BOX} | claim for claim in _CLAIMS))],
+    "full_faces": [_any_of(*({"box": _BOX, "axis": _integer(0, 2)} | c for c in _CLAIMS))],
+}
+_DISC = _SEPARATION | {"claim": _one_of("disc"), "disc": [_POINT], "inside": (_INDEX, _INDEX)}
+_END = {"verdict": _NO_PATH, "claim": _one_of("end"), "end": _one_of("start", "goal")}
+_BOUNDS = {"reference_bounds": _leaf("true", lambda v: v is True)}
+_COMMON = {
+    "format": _one_of("planar-planner/certificate"),
+    "version": _integer(1, 1),
+    "made_by": _TEXT,
+    "scene": _TEXT,
+    "robot_pieces": {"*": [[_POINT]]},
+    "obstacle_pieces": {"*": [[_POINT]]},
+}
+_KINDS = [_PATH, _SEPARATION, _DISC, *(_END | claim for claim in (*_CLAIMS[:2], _BOUNDS))]
+_OUTSIDE: list[dict[str, Any]] = [{}, {"outside": (_LENGTH,) * 4}]
+_CERTIFICATE = _any_of(*(_COMMON | kind | more for kind in _KINDS for more in _OUTSIDE))
+
+
+def read_certificate(source: Source) -> Any:
+    """Return a certificate's content, lengths in units and short lists as tuples."""
+
+    def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        if len(dict(pairs)) != len(pairs):
+            raise ValueError("a field stands twice")
+        return dict(pairs)
+
+    if isinstance(source, Mapping):
+        return _CERTIFICATE(source)
+    try:
+        with Path(source).open("rb") as file:
+            zipped = file.read(2) == b"\x1f\x8b"
+            file.seek(0)
+            data: bytes = (gzip.GzipFile(fileobj=file) if zipped else file).read(MAX_BYTES + 1)
+        if len(data) > MAX_BYTES or sum(map(data.count, (b"[", b"{", b","))) > MAX_VALUES:
+            raise ValueError("is too large")  # noqa: TRY301
+        content = json.loads(data, object_pairs_hook=unique)
+    except (OSError, ValueError, EOFError, zlib.error, RecursionError) as error:
+        raise CertificateError("", getattr(error, "strerror", "") or str(error)) from None
+    return _CERTIFICATE(content)
+
+
+# --- Vectors and rotations ---
+
+
+def _minus(a: Vector, b: Vector) -> Vector:
+    return a[0] - b[0], a[1] - b[1]
+
+
+def _dot(a: Vector, b: Vector) -> int:
+    return a[0] * b[0] + a[1] * b[1]
+
+
+def _cross(a: Vector, b: Vector) -> int:
+    return a[0] * b[1] - a[1] * b[0]
+
+
+def _sides(ring: Sequence[Any]) -> Iterator[tuple[Any, Any]]:
+    return zip(ring, [*ring[1:], ring[0]], strict=True)
+
+
+def _region(points: Iterable[Vector]) -> Region:
+    xs, ys = zip(*points, strict=True)
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def _apart(a: Region, b: Region) -> bool:  # in their interiors
+    return a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+
+
+def _pi() -> int:
+    """Return π in 2^-WORK, off by at most one: 16 atan(1/5) − 4 atan(1/239)."""
+
+    def atan_inverse(n: int) -> int:  # in 2^-(WORK + 20), off by less than 2^10
+        total, power, k = 0, (1 << (WORK + 20)) // n, 1
+        while power:
+            total += power // k if k % 4 == 1 else -(power // k)
+            power, k = power // (n * n), k + 2
+        return total
+
+    return (16 * atan_inverse(5) - 4 * atan_inverse(239)) >> 20
+
+
+PI = _pi()
+
+
+def fixed(radians: Fraction, turns: Fraction) -> int:
+    """Return radians + 2π turns, both at most 2^21, in 2^-WORK: off by less than 2^24."""
+    return math.floor(radians * (1 << WORK)) + math.floor(2 * turns * PI)
+
+
+@lru_cache(1 << 16)
+def rotation(radians: Fraction, turns: Fraction) -> Rotation:
+    """Return cos and sin of radians + 2π turns."""
+    angle = fixed(radians, turns)
+    quarters = (4 * angle + PI) // (2 * PI)
+    angle -= quarters * PI // 2  # now at most an eighth of a turn
+    sums, term, k = [0, 0], 1 << WORK, 0
+    while term not in (0, -1):  # Taylor's series alternates: the rest is less than the last term
+        sums[k % 2] += term if k % 4 < 2 else -term
+        term, k = (term * angle >> WORK) // (k + 1), k + 1
+    c, s = ((part >> (WORK - BITS - 1)) + 1 >> 1 for part in sums)
+    return ((c, s), (-s, c), (-c, -s), (s, -c))[quarters % 4]
+
+
+NONE = Fraction()
+
+
+class Arc(NamedTuple):
+    """The angles radians + 2π turns, from the first turns to the last."""
+
+    first: Fraction
+    last: Fraction
+    radians: Fraction = NONE
+
+    def ends(self, mirrored: bool = False) -> list[Rotation]:
+        """Return the rotations at the ends, of one angle only one; `mirrored`: of the negatives."""
+        ends = [rotation(self.radians, turns) for turns in sorted({self.first, self.last})]
+        return [(c, -s) for c, s in reversed(ends)] if mirrored else ends
+
+    def halves(self) -> list[Arc]:
+        """Return the two halves."""
+        middle = (self.first + self.last) / 2
+        return [Arc(self.first, middle), Arc(middle, self.last)]
+
+
+# --- The problem in integers, and its pieces ---
+
+
+class Edge(NamedTuple):
+    """An edge of an obstacle or of the robot; a wall is an edge of an obstacle."""
+
+    base: Vector  # its first vertex
+    normal: Vector  # outward
+    obstacle: bool
+
+    def term(self, v: Vector, t: Vector) -> tuple[int, int, int]:
+        """Return D, E, C of its separating-axis function for one vertex, at translation t."""
+        n = self.normal
+        if self.obstacle:  # n · (R v + t − base)
+            return _dot(n, v), _cross(v, n), _dot(n, _minus(t, self.base))
+        u = _minus(v, t)  # R n · (v − t) − n · base
+        return _dot(n, u), _cross(n, u), -_dot(n, self.base)
+
+
+class Piece(NamedTuple):
+    """A convex polygon."""
+
+    vertices: list[Vector]
+    edges: list[Edge]
+    region: Region  # bounding box
+
+
+def make_piece(vertices: list[Vector], obstacle: bool) -> Piece:
+    """Return a piece with its edges."""
+    edges = [Edge(a, (b[1] - a[1], a[0] - b[0]), obstacle) for a, b in _sides(vertices)]
+    return Piece(vertices, edges, _region(vertices))
+
+
+@dataclass
+class Case:
+    """The scene in integers, and the certificate's pieces."""
+
+    robot: list[Polygon]
+    obstacles: list[Polygon]  # with what lies outside a polygonal workspace
+    walls: dict[str, Edge]
+    bounds: dict[str, Edge]  # of the reference point
+    turning: bool
+    start: Pose
+    goal: Pose
+    robot_pieces: dict[str, list[Piece]] = field(default_factory=dict)
+    obstacle_pieces: dict[str, list[Piece]] = field(default_factory=dict)
+    hints: dict[Any, int] = field(default_factory=lambda: defaultdict(int))  # vertices to try first
+
+    def pair(self, place: str, pair: Pair) -> tuple[Piece, Piece]:
+        """Return the pieces that a pair names."""
+        p, i, q, j = pair
+        robot, obstacle = self.robot_pieces.get(str(p), []), self.obstacle_pieces.get(str(q), [])
+        demand(i < len(robot) and j < len(obstacle), place, "names no listed pieces")
+        return robot[i], obstacle[j]
+
+    def wall(self, place: str, name: str) -> Edge:
+        """Return a wall."""
+        demand(name in self.walls, place, "names a wall, and there is no workspace")
+        return self.walls[name]
+
+    @cached_property
+    def hull(self) -> list[Vector]:
+        """Corners of the robot's convex hull, counter-clockwise."""
+
+        def lower(points: list[Vector]) -> list[Vector]:
+            side: list[Vector] = []
+            for v in points:
+                while (
+                    len(side) > 1 and _cross(_minus(side[-1], side[-2]), _minus(v, side[-1])) <= 0
+                ):
+                    side.pop()
+                side.append(v)
+            return side[:-1]
+
+        points = sorted({v for polygon in self.robot for v in polygon[0]})
+        return lower(points) + lower(points[::-1])
+
+
+def make_case(problem: Problem, content: Mapping[str, Any]) -> Case:
+    """Turn the scene's doubles into integers, orient its rings, number what lies outside."""
+
+    def polygons(shapes: Polygons | None) -> Iterator[Polygon]:
+        if shapes is None:
+            return
+        points = [(units(x), units(y)) for x, y in shapes.coords.tolist()]
+        rings = [points[a:b] for a, b in pairwise(shapes.ring_starts.tolist())]
+        for first, end in pairwise(shapes.polygon_starts.tolist()):
+            left = [sum(_cross(a, b) for a, b in _sides(ring)) > 0 for ring in rings[first:end]]
+            yield [r if left[k] == (k == 0) else r[::-1] for k, r in enumerate(rings[first:end])]
+
+    def box(sides: Any) -> Any:
+        return sides and tuple(map(units, sides))
+
+    def edges(box: Region | None) -> dict[str, Edge]:
+        bases = (box[:2], box[2:], box[:2], box[2:]) if box else ()
+        return {
+            wall: Edge(b, n, True) for b, (wall, n) in zip(bases, NORMALS.items(), strict=False)
+        }
+
+    walls, obstacles = box(problem.workspace_box), list(polygons(problem.obstacles))
+    for outer, *holes in polygons(problem.workspace):
+        walls = _region(outer)
+        xmin, ymin, xmax, ymax = outside = content.get("outside", walls)
+        around = [(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)]
+        larger = all(map(int.__lt__, outside[:2] + walls[2:], walls[:2] + outside[2:]))
+        demand(larger, "outside", "does not hold the workspace in its interior")
+        obstacles += [[around, outer[::-1]], *([hole[::-1]] for hole in holes)]
+    start, goal = (((units(x), units(y)), theta) for x, y, theta in (problem.start, problem.goal))
+    robot, bounds = list(polygons(problem.robot)), edges(box(problem.reference_bounds))
+    return Case(robot, obstacles, edges(walls), bounds, problem.rotation, start, goal)
+
+
+def check_pieces(case: Case, content: Mapping[str, Any]) -> None:
+    """Check that the pieces of a polygon are convex and partition it."""
+    for owner, polygons, table in (
+        ("robot", case.robot, case.robot_pieces),
+        ("obstacle", case.obstacles, case.obstacle_pieces),
+    ):
+        numbers = {str(i): polygon for i, polygon in enumerate(polygons)}
+        for number, pieces in content[f"{owner}_pieces"].items():
+            place = f"{owner}_pieces.{number}"
+            demand(number in numbers, place, "is of no polygon of the scene")
+            for i, piece in enumerate(pieces):
+                check_convex(f"{place}[{i}]", piece)
+            check_partition(place, numbers[number], pieces)
+            table[number] = [make_piece(piece, owner == "obstacle") for piece in pieces]
+
+
+def check_convex(place: str, vertices: list[Vector]) -> None:
+    """Check that a polygon turns left only, and once round."""
+    demand(len(vertices) > 2, place, "has fewer than three vertices")
+    sides = [_minus(b, a) for a, b in _sides(vertices)]
+    upper = [y > 0 or (y == 0 and x > 0) for x, y in sides]
+    left = all(_cross(a, b) > 0 or (_cross(a, b) == 0 < _dot(a, b)) for a, b in _sides(sides))
+    demand(left, place, "is not convex, counter-clockwise")
+    demand(sum(b and not a for a, b in _sides(upper)) == 1, place, "winds round more than once")
+
+
+def check_partition(place: str, polygon: Polygon, pieces: list[list[Vector]]) -> None:
+    """Check that the boundaries of the pieces add up to the polygon's, on every line.
+
+    A directed segment from a to b makes the sum over its line jump by +1 at a and −1 at b, either
+    way it runs; and a sum that is zero far out is zero if its jumps cancel.
+    """
+    jumps: dict[Any, int] = defaultdict(int)
+    for sign, rings in ((1, pieces), (-1, polygon)):
+        for a, b in chain.from_iterable(map(_sides, rings)):
+            dx, dy = _minus(b, a)
+            scale = math.gcd(dx, dy) * (1 if (dx, dy) > (0, 0) else -1)
+            line = dx // scale, dy // scale, _cross((dx // scale, dy // scale), a)
+            jumps[line, a] += sign
+            jumps[line, b] -= sign
+    demand(not any(jumps.values()), place, "the pieces do not partition the polygon")
+
+
+# --- Configurations that are not free ---
+
+
+class Extent(NamedTuple):
+    """The configurations of a box, face or point: corners of the translations, and the angles."""
+
+    corners: list[Vector]
+    angles: Arc
+
+
+def negative(D: int, E: int, C: int, ends: Sequence[Rotation]) -> bool:
+    """Prove that C + D cos θ + E sin θ < 0 from one end to the other, at most half a turn on.
+
+    It is so at the ends. Between them it is at most C plus the amplitude; and if it falls at the
+    first end or rises at the last, its maximum is at an end.
+    """
+    error = abs(D) + abs(E)
+    if any(D * c + E * s + error + (C << BITS) >= 0 for c, s in ends):
+        return False
+    if len(ends) == 1 or (C < 0 and D * D + E * E < C * C):
+        return True
+    (c0, s0), (c1, s1) = ends
+    return E * c0 - D * s0 + error <= 0 or E * c1 - D * s1 >= error
+
+
+def negative_edge(
+    case: Case, edge: Edge, vertices: list[Vector], at: Extent, halvings: int = HALVINGS
+) -> bool:
+    """Prove an edge's function negative: on each part of the angles for some one vertex.
+
+    The vertex that served last is tried, then the best at the ends, then the halves of the angles.
+    """
+    corners, angles = at
+    if edge.obstacle:  # the translation only adds to the term
+        corners = [max(corners, key=lambda t: _dot(edge.normal, t))]
+    key, ends = (id(edge), id(vertices)), angles.ends()
+
+    def best_at_ends(index: int) -> int:
+        D, E, _ = edge.term(vertices[index], corners[0])
+        return max(D * c + E * s for c, s in ends)
+
+    for attempt in range(2 if angles.last - angles.first <= Fraction(1, 2) else 0):
+        if attempt:
+            case.hints[key] = min(range(len(vertices)), key=best_at_ends)
+        v = vertices[case.hints[key]]
+        if all(negative(*edge.term(v, t), ends) for t in corners):
+            return True
+    return (
+        len(ends) == 2
+        and halvings > 0
+        and all(
+            negative_edge(case, edge, vertices, Extent(corners, half), halvings - 1)
+            for half in angles.halves()
+        )
+    )
+
+
+def check_overlap(
+    case: Case, place: str, pair: Pair, at: Extent, but: tuple[str, int] | None = None
+) -> None:
+    """Check FULL by a pair: every separating-axis function is negative, `but` for one edge's."""
+    robot, obstacle = case.pair(place, pair)
+    for owner, mine, other in (("obstacle", obstacle, robot), ("robot", robot, obstacle)):
+        for i, edge in enumerate(mine.edges):
+            negated = (owner, i) == but or negative_edge(case, edge, other.vertices, at)
+            demand(negated, f"{place}, edge {i} of the {owner}", "may separate the pair")
+
+
+def check_beyond(case: Case, place: str, wall: str, at: Extent) -> None:
+    """Check FULL by a wall: some vertex of the robot is beyond it."""
+    beyond = negative_edge(case, case.wall(place, wall), case.hull, at)
+    demand(beyond, place, "the robot may be inside the wall")
+
+
+def check_joint(case: Case, place: str, terms: list[Any], at: Extent) -> None:
+    """Check FULL jointly: only the terms' edges may separate, and their sum says they do not."""
+    edges: dict[Pair, tuple[str, int]] = {}
+    for term in (term for term in terms if "pair" in term):
+        edge = edges.setdefault(term["pair"], (term["owner"], term["edge"]))
+        demand(edge == (term["owner"], term["edge"]), place, "has two edges of a pair")
+    for pair, edge in edges.items():
+        check_overlap(case, place, pair, at, but=edge)
+    check_sum(case, place, terms, at)
+
+
+def check_sum(case: Case, place: str, terms: list[Any], at: Extent) -> None:
+    """Check that the weighted sum of terms, none negative where all is free, is negative."""
+    parts, weights = [], [Fraction(term["weight"]) for term in terms]
+    demand(min(weights, default=0) >= 0, place, "has a negative weight")
+    for term in terms:
+        if "wall" in term:
+            own = any(term["vertex"] in ring for polygon in case.robot for ring in polygon)
+            demand(own, place, "has a vertex that is not the robot's")
+            parts.append((case.wall(place, term["wall"]), term["vertex"]))
+        else:
+            robot, obstacle = case.pair(place, term["pair"])
+            mine, other = (robot, obstacle) if term["owner"] == "robot" else (obstacle, robot)
+            exist = term["edge"] < len(mine.edges) and term["vertex"] < len(other.vertices)
+            demand(exist, place, "has no such edge or vertex")
+            parts.append((mine.edges[term["edge"]], other.vertices[term["vertex"]]))
+    scale = math.lcm(*(weight.denominator for weight in weights))
+    wide = at.angles.last - at.angles.first > Fraction(1, 2)
+    for t in at.corners:
+        sums = [0, 0, 0]
+        for weight, (edge, v) in zip(weights, parts, strict=True):
+            sums = [a + int(weight * scale) * b for a, b in zip(sums, edge.term(v, t), strict=True)]
+        for part in at.angles.halves() if wide else [at.angles]:
+            demand(
+                negative(sums[0], sums[1], sums[2], part.ends()),
+                place,
+                "the weighted sum may be 0 or more",
+            )
+
+
+def check_full(case: Case, place: str, claim: Mapping[str, Any], at: Extent) -> None:
+    """Check that no configuration of the extent is free."""
+    if "pair" in claim:
+        check_overlap(case, place, claim["pair"], at)
+    elif "wall" in claim:
+        check_beyond(case, place, claim["wall"], at)
+    else:
+        check_joint(case, place, claim["joint"], at)
+
+
+# --- Verdict no_path ---
+
+
+def check_separation(case: Case, content: Mapping[str, Any]) -> int:
+    """Check that FULL boxes and faces separate the start from the goal."""
+    low, size = ([m << (e + UNIT) for m, e in content["domain"][k]] for k in ("low", "size"))
+    inside, full, faces = content["start_side"], content["full"], content["full_faces"]
+    check_domain(case, low, size)
+    for i, box in enumerate(inside):
+        check_box(f"start_side[{i}]", case, box)
+    check_start(case, low, size, inside)
+    check_goal(case, low, size, inside)
+    for name in ("full", "full_faces"):
+        for i, claim in enumerate(content[name]):
+            place, axis = f"{name}[{i}]", claim.get("axis", -1)
+            check_box(place, case, claim["box"], axis)
+            check_full(case, place, claim, extent(case, low, size, claim["box"], axis))
+    check_cover(inside, full, faces)
+    return len(inside) + len(full) + len(faces)
+
+
+def check_domain(case: Case, low: list[int], size: list[int]) -> None:
+    """Check that beyond none of the domain's sides a configuration is free."""
+    pieces = list(chain.from_iterable(case.robot_pieces.values()))
+    ends = {"min": (low[0], low[1]), "max": (low[0] + size[0], low[1] + size[1])}
+    for side, n in NORMALS.items():
+        beyond, reach = (
+            _dot(n, _minus(box[side].base, ends[side[2:]])) // ONE if box else -1
+            for box in (case.bounds, case.walls)
+        )
+        holds = beyond >= 0 or (
+            side in case.walls
+            and (hull_near(case.hull, reach) if reach >= 0 else disc_in(pieces, reach**2))
+        )
+        demand(holds and min(size) > 0, "domain", "may have free configurations beyond it")
+
+
+def hull_near(hull: list[Vector], reach: int) -> bool:
+    """Whether a convex polygon comes within reach of the origin."""
+    for a, b in _sides(hull):
+        d, across = _minus(b, a), _cross(a, b)  # across = |d| times the distance of the line
+        facing = 0 <= -_dot(a, d) <= _dot(d, d) and across**2 <= reach**2 * _dot(d, d)
+        if facing or _dot(a, a) <= reach**2:
+            return True
+    return all(_cross(a, b) >= 0 for a, b in _sides(hull))
+
+
+def disc_in(pieces: Iterable[Piece], squared: int) -> bool:
+    """Whether the disc of that squared radius about the origin lies in one of the pieces."""
+    return any(
+        all(_dot(n, a) >= 0 and _dot(n, a) ** 2 >= squared * _dot(n, n) for a, n, _ in piece.edges)
+        for piece in pieces
+    )
+
+
+def check_box(place: str, case: Case, box: Box, axis: int = -1) -> None:
+    """Check that a box or face lies in the domain, and has no angles if there is only one."""
+    inside = all(k + (a != axis) <= 1 << level for a, (level, k) in enumerate(box))
+    demand(inside, place, "reaches beyond the domain")
+    demand(case.turning or (box[2] == (0, 0) and axis != 2), place, "turns the robot")
+
+
+def extent(case: Case, low: list[int], size: list[int], box: Box, axis: int) -> Extent:
+    """Return the configurations of a box or face."""
+    ends = [(k,) if a == axis else (k, k + 1) for a, (_, k) in enumerate(box)]
+    steps = [size[a] >> box[a][0] for a in (0, 1)]  # exact: the units are fine enough
+    xs, ys = ([low[a] + steps[a] * k for k in ends[a]] for a in (0, 1))
+    turns = [Fraction(k, 1 << box[2][0]) for k in ends[2]]
+    angles = Arc(turns[0], turns[-1]) if case.turning else Arc(NONE, NONE, Fraction(case.start[1]))
+    return Extent(list(product(xs, ys)), angles)
+
+
+def check_start(case: Case, low: list[int], size: list[int], inside: list[Box]) -> None:
+    """Check that the start lies in a box of its side."""
+    at = located(case, low, size, case.start)
+    held = any(
+        all(
+            any(k <= first * 2**level and last * 2**level <= k + 1 for first, last in spans)
+            for (level, k), spans in zip(box, at, strict=True)
+        )
+        for box in inside
+    )
+    demand(held, "start_side", "does not hold the start")
+
+
+def check_goal(case: Case, low: list[int], size: list[int], inside: list[Box]) -> None:
+    """Check that the goal lies in no box of the start's side."""
+    at = located(case, low, size, case.goal)
+    for i, box in enumerate(inside):
+        apart = any(
+            all(last * 2**level < k or k + 1 < first * 2**level for first, last in spans)
+            for (level, k), spans in zip(box, at, strict=True)
+        )
+        demand(apart, f"start_side[{i}]", "may hold the goal")
+
+
+def located(case: Case, low: list[int], size: list[int], pose: Pose) -> list[Any]:
+    """Return for each axis intervals that hold a configuration, as parts of the domain.
+
+    An angle may be in any of three, a turn apart. No angle but 0 is on the boundary of a box.
+    """
+    parts = [Fraction(pose[0][a] - low[a], size[a]) for a in (0, 1)]
+    turns = Fraction(fixed(Fraction(pose[1]), Fraction()), 2 * PI) % 1 if case.turning else 0
+    error = Fraction(1, 1 << 180) if turns else 0
+    angles = [(turns + n - error, turns + n + error) for n in (-1, 0, 1)]
+    return [[(part, part)] for part in parts] + [angles]
+
+
+def check_cover(inside: list[Box], full: list[Any], faces: list[Any]) -> None:
+    """Check that every face of the start's side bounds the domain or is covered from beyond."""
+    needs, covers = defaultdict(set), defaultdict(set)  # by axis, plane, end of the boxes in need
+    for box in inside:
+        for axis, end, plane, face in faces_of(box):
+            needs[axis, plane, end].add(face)
+    for box in chain(inside, (claim["box"] for claim in full)):
+        for axis, end, plane, face in faces_of(box):
+            covers[axis, plane, 1 - end].add(face)
+    for claim in faces:
+        axis, _, plane, face = list(faces_of(claim["box"]))[2 * claim["axis"]]
+        covers[axis, plane, 0].add(face)
+        covers[axis, plane, 1].add(face)
+    for (axis, plane, end), rectangles in needs.items():
+        known = covers[axis, plane, end]
+        rest = rectangles - known if axis == 2 or 0 < plane < 1 << LEVELS else set()
+        cell = _region(chain.from_iterable((r[:2], r[2:]) for r in rest)) if rest else (0, 0, 0, 0)
+        place = f"start_side, {('x', 'y', 'theta')[axis]} = {plane / 2**LEVELS!r}"
+        demand(covered(rest, known, cell), place, "has a face that is neither shared nor FULL")
+
+
+def faces_of(box: Box) -> Iterator[tuple[int, int, int, Region]]:
+    """Yield axis, end (0 or 1), plane and rectangle of each face; turn 1 is turn 0."""
+    spans = [(k << (LEVELS - level), (k + 1) << (LEVELS - level)) for level, k in box]
+    for axis in range(3):
+        (u0, u1), (v0, v1) = spans[:axis] + spans[axis + 1 :]
+        for end, plane in enumerate(spans[axis]):
+            yield axis, end, plane % (1 << LEVELS) if axis == 2 else plane, (u0, v0, u1, v1)
+
+
+def covered(needs: Iterable[Region], covers: Iterable[Region], cell: Region) -> bool:
+    """Whether rectangles, as far as they are in a cell, lie in the union of others."""
+    needs = [r for r in needs if not _apart(r, cell)]
+    covers = [r for r in covers if not _apart(r, cell)]
+    if not needs or any(_region([r[:2], r[2:], cell[:2], cell[2:]]) == r for r in covers):
+        return True
+    if not covers:
+        return False
+    xs, ys = (
+        sorted({c for r in needs + covers for c in r[a::2] if cell[a] < c < cell[a + 2]})
+        for a in (0, 1)
+    )  # not both empty: a cover meets the cell and does not hold it
+    axis, cuts = (0, xs) if len(xs) > len(ys) else (1, ys)
+    lower, upper = list(cell), list(cell)
+    lower[axis + 2] = upper[axis] = cuts[len(cuts) // 2]
+    return all(covered(needs, covers, tuple(part)) for part in (lower, upper))  # type: ignore[arg-type]
+
+
+def check_disc(case: Case, content: Mapping[str, Any]) -> int:
+    """Check that a disc inside the robot, in place of it, has no path."""
+    disc, (p, i) = content["disc"], content["inside"]
+    check_convex("disc", disc)
+    piece = case.robot_pieces.get(str(p), [])[i : i + 1]
+    demand(disc_in(piece, max(_dot(v, v) for v in disc)), "disc", "is not inside that piece")
+    smaller = replace(case, robot=[[disc]], robot_pieces={"0": [make_piece(disc, obstacle=False)]})
+    smaller.turning, smaller.start, smaller.goal = False, (case.start[0], 0.0), (case.goal[0], 0.0)
+    return check_separation(smaller, content)
+
+
+def check_end(case: Case, content: Mapping[str, Any]) -> int:
+    """Check that the start or the goal is not free."""
+    t, theta = case.start if content["end"] == "start" else case.goal
+    if "reference_bounds" in content:
+        demand(
+            not in_bounds(case, t), "reference_bounds", "the reference point is not outside them"
+        )
+    else:
+        check_full(case, content["end"], content, Extent([t], Arc(NONE, NONE, Fraction(theta))))
+    return 1
+
+
+def in_bounds(case: Case, t: Vector) -> bool:
+    """Whether the reference point is within its bounds."""
+    return all(_dot(edge.normal, _minus(t, edge.base)) >= 0 for edge in case.bounds.values())
+
+
+# --- Verdict path ---
+
+
+class Motion(NamedTuple):
+    """The configurations (t + λ g, θ + λ ω), |λ| ≤ 1; t and g are rounded, by less than a unit."""
+
+    t: Vector
+    g: Vector
+    rotation: Rotation  # by θ
+    omega: int  # ω in 2^-BITS, off by at most 2
+    most: int  # |ω| at most
+
+
+def check_path(case: Case, content: Mapping[str, Any]) -> int:
+    """Check that the waypoints lead from the start to the goal and all segments are free."""
+    waypoints, segments = content["waypoints"], content["segments"]
+    demand(
+        len(waypoints) == len(segments) + 1 > 1, "segments", "are not one from waypoint to waypoint"
+    )
+    check_end_of_path("waypoints[0]", case.start, waypoints[0], content)
+    check_end_of_path("the last waypoint", case.goal, waypoints[-1], content)
+    demand(waypoints[0][3] == 0, "waypoints[0]", "has turns")
+    for i, (*t, theta, turns) in enumerate(waypoints):
+        demand(in_bounds(case, tuple(t)), f"waypoints[{i}]", "is outside reference_bounds")
+        still = (theta, turns) == (case.start[1], 0)
+        demand(case.turning or still, f"waypoints[{i}]", "turns the robot")
+    for i, intervals in enumerate(segments):
+        check_chain(f"segments[{i}]", intervals)
+        check_segment(case, f"segments[{i}]", waypoints[i : i + 2], intervals)
+    return sum(len(interval["apart"]) for intervals in segments for interval in intervals)
+
+
+def check_end_of_path(
+    place: str, pose: Pose, waypoint: Waypoint, content: Mapping[str, Any]
+) -> None:
+    """Check that a waypoint is the start or goal, up to the tolerance stated."""
+    way, tolerance = _minus(waypoint[:2], pose[0]), Fraction(content["contact_tolerance"])
+    demand(waypoint[2] == pose[1], place, "has another theta than the scene")
+    demand(
+        _dot(way, way) <= (tolerance * ONE) ** 2, place, "is too far from where the scene has it"
+    )
+
+
+def check_chain(place: str, intervals: list[Any]) -> None:
+    """Check that the intervals of a segment follow one another from 0 to 1."""
+    ends = [0, *(interval["to"] for interval in intervals)]
+    chained = [*(interval["from"] for interval in intervals), ONE] == ends
+    demand(chained, place, "the intervals do not follow one another from 0 to 1")
+    demand(all(a < b for a, b in pairwise(ends)), place, "an interval does not go on")
+
+
+def check_segment(case: Case, place: str, ends: list[Waypoint], intervals: list[Any]) -> None:
+    """Check that on every interval the robot is inside the walls and apart from every obstacle."""
+    everywhere = swept(case.hull, make_motion(ends, 0, ONE))
+    regions = ((str(q), _region(polygon[0])) for q, polygon in enumerate(case.obstacles))
+    near = [(q, region) for q, region in regions if not _apart(everywhere, region)]
+    for i, interval in enumerate(intervals):
+        motion = make_motion(ends, interval["from"], interval["to"])
+        inside = all(
+            not_negative(edge, v, motion) for edge in case.walls.values() for v in case.hull
+        )
+        demand(inside, f"{place}[{i}]", "the robot may be beyond a wall")
+        for k, (*pair, owner, edge) in enumerate(interval["apart"]):
+            check_edge(case, f"{place}[{i}].apart[{k}]", tuple(pair), (owner, edge), motion)
+        listed = {tuple(map(str, claim[:4])) for claim in interval["apart"]}
+        check_all_apart(case, f"{place}[{i}]", motion, near, listed)
+
+
+def make_motion(ends: list[Waypoint], first: int, last: int) -> Motion:
+    """Return the part of a straight motion from parameter first to last, both in units."""
+    (ax, ay, a_theta, a_turns), (bx, by, b_theta, b_turns) = ends
+    s, h = Fraction(first + last, 2 * ONE), Fraction(last - first, 2 * ONE)
+    radians, turns = Fraction(b_theta) - Fraction(a_theta), b_turns - a_turns
+    t = ax + math.floor(s * (bx - ax)), ay + math.floor(s * (by - ay))
+    g = math.floor(h * (bx - ax)), math.floor(h * (by - ay))
+    omega = fixed(h * radians, h * turns) >> (WORK - BITS)
+    turned = rotation(Fraction(a_theta) + s * radians, a_turns + s * turns)
+    return Motion(t, g, turned, omega, abs(omega) + 2)
+
+
+def swept(vertices: Iterable[Vector], motion: Motion) -> Region:
+    """Return a box that holds the vertices during a motion."""
+    (tx, ty), (gx, gy), (c, s), _, most = motion
+    corners = []
+    for x, y in vertices:
+        u, v, e = x * c - y * s, x * s + y * c, (abs(x) + abs(y)) * (most + 1)
+        corners += [(u - e, v - e), (u + e, v + e)]
+    xmin, ymin, xmax, ymax = (side >> BITS for side in _region(corners))
+    gx, gy = abs(gx) + 3, abs(gy) + 3  # for what is rounded
+    return xmin + tx - gx, ymin + ty - gy, xmax + tx + gx, ymax + ty + gy
+
+
+def not_negative(edge: Edge, vertex: Vector, motion: Motion) -> bool:
+    """Prove that the edge's function, for the vertex, is at least 0 during the motion.
+
+    With v and w its sinusoid's value and derivative at θ and the slope of the translation it is at
+    least C + v − |slope + w ω| − max(v, 0) ω²/2 − |w| |ω|³/6; for an edge of the robot less what
+    turning changes about the slope.
+    """
+    t, g, (c, s), omega, most = motion
+    D, E, C = edge.term(vertex, t)
+    v, w, error = D * c + E * s, E * c - D * s, abs(D) + abs(E)
+    G, H = _dot(edge.normal, g), _cross(edge.normal, g)
+    slope, spare = G << BITS, 4 * sum(map(abs, edge.normal)) << BITS  # t and g are rounded
+    if not edge.obstacle:
+        slope, off = -(G * c + H * s), abs(G) + abs(H)
+        spare += off + ((abs(slope) + off) * most**2 >> 2 * BITS + 1)
+        spare += (abs(H * c - G * s) + off) * most >> BITS
+    spare += (max(v, 0) + error) * most**2 >> 2 * BITS + 1
+    spare += (abs(w) + error) * most**3 // (6 << 3 * BITS)
+    spare += error * ((most >> BITS) + 5) + 9  # v, w, ω and the divisions are rounded
+    return (C << BITS) + v - abs(slope + (w * omega >> BITS)) >= spare
+
+
+def check_edge(case: Case, place: str, pair: Pair, edge: tuple[str, int], motion: Motion) -> None:
+    """Check that an edge separates a pair."""
+    robot, obstacle = case.pair(place, pair)
+    mine, other = (robot, obstacle) if edge[0] == "robot" else (obstacle, robot)
+    demand(edge[1] < len(mine.edges), place, "names no edge of the piece")
+    separates = all(not_negative(mine.edges[edge[1]], v, motion) for v in other.vertices)
+    demand(separates, place, "the edge may not separate the pair")
+
+
+def check_all_apart(
+    case: Case, place: str, motion: Motion, near: list[Any], listed: set[Any]
+) -> None:
+    """Check that polygons are apart by bounding boxes, or their pieces by those or as listed."""
+    for p, polygon in enumerate(case.robot):
+        body = swept(polygon[0], motion)
+        close = [q for q, region in near if not _apart(body, region)]
+        pieces = case.robot_pieces.get(str(p), [])
+        demand(not close or len(pieces) > 0, f"{place}, robot {p}", "has no pieces listed")
+        boxes = [swept(piece.vertices, motion) for piece in pieces] if close else []
+        for q in close:
+            obstacle = case.obstacle_pieces.get(q, [])
+            demand(len(obstacle) > 0, f"{place}, obstacle {q}", "has no pieces listed")
+            for (i, box), (j, piece) in product(enumerate(boxes), enumerate(obstacle)):
+                apart = _apart(box, piece.region) or (str(p), str(i), q, str(j)) in listed
+                demand(apart, f"{place}, pair {[p, i, q, j]}", "is not shown to be apart")
