@@ -75,7 +75,6 @@ def parsed(arguments: Sequence[str] | None) -> argparse.Namespace:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run, tabulate, and say whether anything failed."""
     given = parsed(arguments)
-    faulthandler.enable()  # a crash of the core names the part that was running
     facts = print_provenance()
     settings = Settings(
         quick=given.quick,
@@ -96,4 +95,5 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
+    faulthandler.enable()  # a crash of the core names the part that was running
     sys.exit(main())

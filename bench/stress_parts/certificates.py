@@ -2,18 +2,31 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from typing import Any
 
 from planar_planner.result import Result
+from planar_planner.verify import CertificateError, Rejected, verify_certificate
 
-Checker = Any
 
-
-def certificate_failure(scene: Mapping[str, Any], result: Result) -> str | None:
+def certificate_failure(
+    scene: Mapping[str, Any], result: Result, contact_tolerance: float
+) -> str | None:
     """Return what is wrong with the certificate of an answer; None if nothing is.
 
-    An undecided answer has none.
+    A decided answer has one that proves it, an undecided one has none. It is read back from JSON,
+    as a stranger gets it.
     """
-    del scene, result
+    if result.verdict == "undecided":
+        return None if result.certificate is None else "an undecided answer has one"
+    if result.certificate is None:
+        return "there is none"
+    content = json.loads(json.dumps(result.certificate, allow_nan=False))
+    try:
+        report = verify_certificate(scene, content, contact_tolerance)
+    except (Rejected, CertificateError) as error:
+        return f"{type(error).__name__}: {error}"
+    if report.verdict != result.verdict:
+        return f"it proves {report.verdict}"
     return None

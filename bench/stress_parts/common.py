@@ -14,12 +14,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from planar_planner import Options, SceneError, solve
+from planar_planner import Options, Planner, SceneError
 from planar_planner.result import Result
 from stress_parts.certificates import certificate_failure
 
 Scene = dict[str, Any]
-Solver = Callable[[Mapping[str, Any], Options, bool], Result]
+Query = Callable[[Options, bool], Result]
+Solver = Callable[[Mapping[str, Any]], Query]
 
 LIMITS = Options(max_cells=200_000, timeout=20.0)
 OVERTIME = 5.0  # seconds past a query's time limit after which it counts as hanging
@@ -28,9 +29,25 @@ CRASHED = "crashed"  # the same: an exception that no input may cause
 CASES_KEPT = 20  # failing scenes written to files, for each row: more say nothing new
 
 
-def planner(scene: Mapping[str, Any], options: Options, certificate: bool) -> Result:
-    """Ask the planner itself; tests plant another solver in its place."""
-    return solve(scene, options, certificate=certificate)
+def planner(scene: Mapping[str, Any]) -> Query:
+    """Return queries to a planner on a scene; tests plant others in its place.
+
+    They take the options, and whether to make a certificate.
+    """
+    made = Planner(scene)
+    return lambda options, certificate: made.solve(options=options, certificate=certificate)
+
+
+def kept(settings: Settings, scene: Mapping[str, Any]) -> Query:
+    """Return queries to one planner, which keeps its cells, made when it is first asked."""
+    made: list[Query] = []
+
+    def query(options: Options, certificate: bool) -> Result:
+        if not made:
+            made.append(settings.solver(scene))
+        return made[0](options, certificate)
+
+    return query
 
 
 @dataclass(frozen=True)
@@ -112,14 +129,16 @@ def ask(
     options: Options = LIMITS,
     *,
     certified: bool = False,
+    query: Query | None = None,
 ) -> Answer:
     """Solve a scene; count the answer in `row`, and as failures what no answer may show.
 
-    If `certified`, the answer's certificate is made and checked.
+    If `certified`, the answer's certificate is made and checked. A `query` is asked instead of a
+    new planner.
     """
     began = time.perf_counter()
     try:
-        result = settings.solver(scene, options, certified)
+        result = (query or settings.solver(scene))(options, certified)
         answer = Answer(result.verdict, result.reason, result)
     except SceneError as error:
         answer = Answer(REFUSED, str(error))
@@ -139,7 +158,7 @@ def ask(
         fail(settings, row, scene, f"search_rebuilds is {rebuilds}")
     if certified and answer.result is not None:
         began = time.perf_counter()
-        wrong = certificate_failure(scene, answer.result)
+        wrong = certificate_failure(scene, answer.result, options.contact_tolerance)
         row.checking += time.perf_counter() - began
         if wrong is not None:
             fail(settings, row, scene, f"certificate of {answer.verdict} rejected: {wrong}")
@@ -154,9 +173,10 @@ def expect(
     options: Options = LIMITS,
     *,
     certified: bool = False,
+    query: Query | None = None,
 ) -> Answer:
     """Ask, and count any answer but those `allowed` (and an undecided one) as a failure."""
-    answer = ask(settings, row, scene, options, certified=certified)
+    answer = ask(settings, row, scene, options, certified=certified, query=query)
     if answer.verdict not in {*allowed, "undecided", CRASHED}:  # a crash is counted already
         wanted = " or ".join(sorted(allowed))
         fail(settings, row, scene, f"{answer.verdict} where {wanted} is true ({answer.text})")

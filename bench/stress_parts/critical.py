@@ -51,7 +51,7 @@ def run(settings: Settings) -> list[Row]:
     """Ask on both sides of every family."""
     chosen = list(families())[: settings.most]
     rows = [row for family in chosen for row in _family(settings, family)]
-    for name, make, bracket in _nested()[: settings.most]:
+    for name, make, bracket in _nested()[: settings.count(2, 1)]:
         rows.append(_monotone(settings, name, make, bracket))
     return rows
 
@@ -134,9 +134,11 @@ def _monotone(
     for exponent in _exponents(settings):
         for parameter in (low * (1.0 - 10.0**-exponent), high * (1.0 + 10.0**-exponent)):
             look(parameter, levels["default"])
-    closed = max((p for p, v in answers.items() if v == "no_path"), default=0.0)
-    opened = min((p for p, v in answers.items() if v == "path"), default=math.inf)
-    if closed >= opened:
-        fail(settings, row, {**make(closed)}, f"no path at {closed!r}, a path at {opened!r}")
-    row.note = f"no path at {closed!r}, a path at {opened!r}, relative {opened / closed - 1.0:.1e}"
+    closed = [parameter for parameter, verdict in answers.items() if verdict == "no_path"]
+    opened = [parameter for parameter, verdict in answers.items() if verdict == "path"]
+    if closed and opened:
+        low, high = max(closed), min(opened)
+        row.note = f"no path at {low!r}, a path at {high!r}, {high / low - 1.0:.1e} apart"
+        if low >= high:
+            fail(settings, row, make(low), row.note)
     return row

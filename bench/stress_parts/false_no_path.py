@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from planar_planner import Options, load_scene
 from planar_planner.builtin import manifest
 from scenarios import bug_trap
-from stress_parts.common import Row, Scene, Settings, expect
+from stress_parts.common import Row, Scene, Settings, expect, kept
 from stress_parts.families import families, plain
 
 PART = "false none"
@@ -32,6 +32,11 @@ def run(settings: Settings) -> list[Row]:
             case = f"{name}; {limit}"
             row = rows.setdefault(case, Row(PART, case))
             expect(settings, row, scene, {truth}, options)
+        case = f"{name}; one planner, limits in any order"
+        row = rows.setdefault(case, Row(PART, case))
+        query = kept(settings, scene)
+        for _, options in _shuffled(settings, share, name):
+            expect(settings, row, scene, {truth}, options, query=query)
     return list(rows.values())
 
 
@@ -54,6 +59,12 @@ def _scenes(settings: Settings) -> Iterator[tuple[str, Scene, str, float]]:
             if family.has_path(parameter):
                 scene = {**family.make(parameter), "name": f"{family.name} at {parameter!r}"}
                 yield "nearly critical, with a path", scene, "path", 0.1
+
+
+def _shuffled(settings: Settings, share: float, name: str) -> list[tuple[str, Options]]:
+    limits = list(_limits(settings, share, name))
+    random.Random(f"{settings.seed} {name}").shuffle(limits)
+    return limits
 
 
 def _limits(settings: Settings, share: float, name: str) -> Iterator[tuple[str, Options]]:
