@@ -1,4 +1,4 @@
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,8 @@ class Core:
         workspace: _PolygonArrays | None,
         reference_bounds: tuple[float, float, float, float] | None,
         rotation: bool,
+        without: Sequence[str] = ...,
+        query: str = "per-normal",
     ) -> None: ...
     def placement(self, q: tuple[float, float, float]) -> dict[str, Any]: ...
     def solve(

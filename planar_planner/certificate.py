@@ -71,7 +71,17 @@ def make_certificate(
             content |= _pair(evidence["pair"])
     else:
         content |= _separation(evidence)
-    return content
+    plain: Certificate = _lists(content)
+    return plain
+
+
+def _lists(value: Any) -> Any:
+    """Return `value` in JSON's own types: lists instead of tuples."""
+    if isinstance(value, dict):
+        return {name: _lists(item) for name, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_lists(item) for item in value]
+    return value
 
 
 def write_certificate(content: Certificate, file: Path, name: str) -> None:

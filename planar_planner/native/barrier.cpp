@@ -78,9 +78,11 @@ std::vector<FullClaim> face_claims(const Subdivision& s, const std::vector<FullC
 }  // namespace
 
 Barrier find_barrier(const Subdivision& s, const std::vector<FullClaim>& blocked,
-                     const CellId start, const CellId goal) {
+                     const std::span<const CellId> start, const std::span<const CellId> goal) {
   const Network network(s);
-  MinimumCut cut(network.nodes);
+  const auto source = static_cast<std::uint32_t>(network.nodes);
+  const std::uint32_t sink = source + 1;
+  MinimumCut cut(network.nodes + 2);
   for (CellId id = 0; id < s.size(); ++id)
     if (network.in[id] != network.out[id]) cut.add_arc(network.in[id], network.out[id], 1, 0);
   std::vector<Pair> blocked_pairs;
@@ -96,8 +98,11 @@ Barrier find_barrier(const Subdivision& s, const std::vector<FullClaim>& blocked
       cut.add_arc(network.out[b], network.in[a], kAll, 0);
     }
   });
+  for (const CellId id : start)
+    if (s.cell(id).label != Label::kFull) cut.add_arc(source, network.in[id], kAll, 0);
+  for (const CellId id : goal) cut.add_arc(network.out[id], sink, kAll, 0);
   Barrier barrier;
-  if (cut.solve(network.out[start], network.in[goal]) >= kAll) return barrier;
+  if (cut.solve(source, sink) >= kAll) return barrier;
 
   std::vector<bool> start_side(s.size());
   for (CellId id = 0; id < s.size(); ++id) {

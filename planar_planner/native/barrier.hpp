@@ -2,6 +2,7 @@
 // closed set of cells on the start's side (docs/certificate.md, "separation").
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "face.hpp"
@@ -17,8 +18,10 @@ struct Barrier {
 };
 
 // A least cut: no other choice among the subdivision's FULL cells and blocked faces that separates
-// the two leaves has fewer of them. Empty if none does. `blocked` are the claims of FaceTest.
+// the two sets of leaves has fewer of them. Empty if none does. FULL leaves among them: those of
+// the start are not looked at; those of the goal do not come to the start's side. `blocked` are the
+// claims of FaceTest.
 Barrier find_barrier(const Subdivision& subdivision, const std::vector<FullClaim>& blocked,
-                     CellId start, CellId goal);
+                     std::span<const CellId> start, std::span<const CellId> goal);
 
 }  // namespace planner

@@ -66,6 +66,24 @@ planner::Scene scene_of(const PolygonArrays& robot, const PolygonArrays& obstacl
   return scene;
 }
 
+// The names of planner::Parts, for benchmarks; empty: the planner as it is.
+planner::Parts parts_of(const std::vector<std::string>& without, const std::string& query) {
+  planner::Parts parts;
+  for (const std::string& part : without) {
+    if (part == "star") parts.star = false;
+    if (part == "joint") parts.joint = false;
+    if (part == "guided") parts.guided = false;
+    if (part == "incremental") parts.incremental = false;
+    if (part == "hierarchy") parts.hierarchy = false;
+    if (part == "partition") parts.partition = false;
+    if (part == "cheap") parts.cheap = false;
+  }
+  if (query == "none") parts.query = planner::CullingQuery::kNone;
+  if (query == "published") parts.query = planner::CullingQuery::kPublished;
+  if (query == "displacement") parts.query = planner::CullingQuery::kDisplacement;
+  return parts;
+}
+
 nb::dict placement_dict(const planner::Placement& p) {
   constexpr std::array<const char*, 4> states{"free", "contact", "colliding", "outside"};
   nb::dict out;
@@ -206,12 +224,15 @@ NB_MODULE(_core, m) {
           "__init__",
           [](planner::Planner* self, const PolygonArrays& robot, const PolygonArrays& obstacles,
              const std::optional<Box>& workspace_box, const std::optional<PolygonArrays>& workspace,
-             const std::optional<Box>& reference_bounds, const bool rotation) {
+             const std::optional<Box>& reference_bounds, const bool rotation,
+             const std::vector<std::string>& without, const std::string& query) {
             new (self) planner::Planner(
-                scene_of(robot, obstacles, workspace_box, workspace, reference_bounds, rotation));
+                scene_of(robot, obstacles, workspace_box, workspace, reference_bounds, rotation),
+                parts_of(without, query));
           },
           nb::arg("robot"), nb::arg("obstacles"), nb::arg("workspace_box").none(),
-          nb::arg("workspace").none(), nb::arg("reference_bounds").none(), nb::arg("rotation"))
+          nb::arg("workspace").none(), nb::arg("reference_bounds").none(), nb::arg("rotation"),
+          nb::arg("without") = std::vector<std::string>{}, nb::arg("query") = "per-normal")
       .def(
           "placement",
           [](planner::Planner& self, const std::array<double, 3>& q) {

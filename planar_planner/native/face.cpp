@@ -102,7 +102,7 @@ Link FaceTest::label_face(const Extent& face, const ConstraintView& parent, cons
   if (result.label == Label::kFree) return {LinkState::kOpen, {motion.t, turns}};
   if (const auto guard = star_.find_guard(motion, posed, view(list)))
     return {LinkState::kOpen, {*guard, turns}};
-  if (joint_.obstructs(motion, posed, view(list))) {
+  if (labeller_.parts().joint && joint_.obstructs(motion, posed, view(list))) {
     blocked_.push_back({face, kNoAxis, true, {}, joint_.proof()});
     return {LinkState::kBlocked, {}};
   }

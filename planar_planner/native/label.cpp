@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "nearby.hpp"
+#include "pdg/native/motion_bound.hpp"
 
 namespace planner {
 
@@ -59,6 +60,12 @@ constexpr double kOpeningFactor = 0.5;
 
 }  // namespace
 
+Labeller::Labeller(const Robot& robot, ObstacleTree& tree, Statistics& statistics,
+                   const Parts& parts)
+    : robot_(robot), tree_(tree), statistics_(statistics), parts_(parts) {
+  if (!parts_.hierarchy) tree_.expand_all();
+}
+
 void Labeller::root_list(ConstraintList& out) const {
   out.clear();
   for (std::uint32_t wall = 0; wall < tree_.wall_count(); ++wall) {
@@ -67,7 +74,12 @@ void Labeller::root_list(ConstraintList& out) const {
     out.pairs.push_back(
         {wall, robot_.hull(), static_cast<std::uint16_t>(out.constraints.size() - before)});
   }
-  if (!tree_.empty()) out.pairs.push_back({tree_.root(), kNode, 0});
+  if (parts_.hierarchy) {
+    if (!tree_.empty()) out.pairs.push_back({tree_.root(), kNode, 0});
+    return;
+  }
+  for (std::uint32_t piece = tree_.wall_count(); piece < tree_.piece_count(); ++piece)
+    for (std::uint16_t i = 0; i < robot_.body_pieces(); ++i) out.pairs.push_back({piece, i, 0});
 }
 
 const pdg::PosedRobot& Labeller::posed(const pdg::Rotation rotation) {
@@ -163,7 +175,7 @@ bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
 bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16_t robot,
                      const std::span<const pdg::Constraint> active) {
   const std::size_t before = pass.out.constraints.size();
-  const pdg::PairVerdict verdict =
+  pdg::PairVerdict verdict =
       pdg::judge_pair(posed_piece(robot_, pass.posed, robot), tree_.piece(obstacle), pass.motion,
                       active, pass.out.constraints, statistics_.separation_evaluations);
   LabelResult& result = pass.result;
@@ -172,6 +184,12 @@ bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16
       result.clearance = std::min(result.clearance, verdict.clearance);
       return true;
     case pdg::PairLabel::kOverlap:
+      if (parts_.query != CullingQuery::kPerNormal && !culls(pass, obstacle, robot)) {
+        pass.out.constraints.insert(pass.out.constraints.end(), active.begin(), active.end());
+        verdict.sway = whole_sway(pass.motion, robot_.pieces[robot].reach);
+        verdict.centre = std::max(verdict.centre, -robot_.reach);  // a hint, but a finite one
+        break;
+      }
       result.label = Label::kFull;
       result.witness = {obstacle, robot};
       result.separation = verdict.centre;
@@ -190,6 +208,30 @@ bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16
   result.turning_radius = std::max(result.turning_radius, robot_.pieces[robot].reach);
   add_sway(result, verdict.sway);
   return true;
+}
+
+// The scalar forms of the query: the depth at the centre against how far the cell's motion goes.
+bool Labeller::culls(const Pass& pass, const std::uint32_t obstacle,
+                     const std::uint16_t robot) const {
+  if (parts_.query == CullingQuery::kNone) return false;
+  const pdg::PosedPiece a = posed_piece(robot_, pass.posed, robot);
+  const pdg::ConvexPiece& b = tree_.piece(obstacle);
+  Motion centre = pass.motion;
+  centre.g1 = centre.g2 = {};
+  centre.g1_length = centre.g2_length = 0.0;
+  centre.half_angle = centre.sin_half = centre.turn = 0.0;
+  centre.cos_half = 1.0;
+  const double error = pdg::separation_error(*a.piece, b, centre);
+  std::vector<pdg::Constraint> all;
+  pdg::all_constraints(*a.piece, b, all);
+  double shallowest = -INFINITY;
+  for (pdg::Constraint& c : all)
+    shallowest = std::max(shallowest, pdg::constraint_range(a, b, centre, error, c).hi);
+  const pdg::HalfExtents half{pass.extent.x, pass.extent.y, pass.motion.half_angle};
+  const double bound = parts_.query == CullingQuery::kPublished
+                           ? pdg::sum_bound(half, robot_.reach)
+                           : pdg::displacement_bound(half, a.piece->reach);
+  return -shallowest - error > bound;
 }
 
 }  // namespace planner

@@ -7,6 +7,7 @@
 
 #include "constraints.hpp"
 #include "obstacle_tree.hpp"
+#include "parts.hpp"
 #include "pdg/native/motion.hpp"
 #include "robot.hpp"
 #include "statistics.hpp"
@@ -37,8 +38,7 @@ struct LabelResult {
 // Owns the scratch memory of labelling; one per search.
 class Labeller {
  public:
-  Labeller(const Robot& robot, ObstacleTree& tree, Statistics& statistics)
-      : robot_(robot), tree_(tree), statistics_(statistics) {}
+  Labeller(const Robot& robot, ObstacleTree& tree, Statistics& statistics, const Parts& parts = {});
 
   // Everything that can touch the robot, to start from.
   void root_list(ConstraintList& out) const;
@@ -56,6 +56,7 @@ class Labeller {
 
   [[nodiscard]] const Robot& robot() const { return robot_; }
   [[nodiscard]] const ObstacleTree& tree() const { return tree_; }
+  [[nodiscard]] const Parts& parts() const { return parts_; }
 
  private:
   struct Pass;
@@ -65,10 +66,12 @@ class Labeller {
   bool visit_closed_pair(Pass& pass, std::uint32_t obstacle, std::uint16_t robot);
   bool judge(Pass& pass, std::uint32_t obstacle, std::uint16_t robot,
              std::span<const pdg::Constraint> active);
+  [[nodiscard]] bool culls(const Pass& pass, std::uint32_t obstacle, std::uint16_t robot) const;
 
   const Robot& robot_;
   ObstacleTree& tree_;
   Statistics& statistics_;
+  Parts parts_;
   pdg::PosedRobot posed_;
   std::vector<pdg::Constraint> fresh_;
   std::vector<bool> touched_;  // by obstacle piece: its pairs with all robot pieces

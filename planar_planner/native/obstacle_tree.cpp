@@ -26,11 +26,12 @@ double half_diagonal(const Vec2 low, const Vec2 high) {
 }  // namespace
 
 ObstacleTree::ObstacleTree(const PolygonSet& obstacles, const pdg::Frame& frame,
-                           const std::vector<pdg::ConvexPiece>& walls)
+                           const std::vector<pdg::ConvexPiece>& walls, const bool partition)
     : obstacles_(&obstacles),
       frame_(frame),
       pieces_(walls),
       polygons_(walls.size(), kWall),
+      partition_(partition),
       wall_count_(static_cast<std::uint32_t>(walls.size())),
       untouched_(obstacles.size()) {
   items_.resize(obstacles.size());
@@ -75,10 +76,14 @@ void ObstacleTree::expand(const std::uint32_t index) {
     nodes_[index].piece = items_[nodes_[index].begin].id;
 }
 
+void ObstacleTree::expand_all() {
+  for (std::uint32_t node = 0; node < nodes_.size(); ++node) expand(node);
+}
+
 void ObstacleTree::decompose(const std::uint32_t index) {
   const std::uint32_t polygon = items_[nodes_[index].begin].id;
   const auto begin = static_cast<std::uint32_t>(items_.size());
-  for (const pdg::ConvexPolygon& part : planner_pieces(obstacles_->polygon(polygon))) {
+  for (const pdg::ConvexPolygon& part : planner_pieces(obstacles_->polygon(polygon), partition_)) {
     const pdg::ConvexPiece piece = pdg::make_piece(part, frame_);
     Item item;
     item.low = item.high = piece.edges[0].vertex;

@@ -26,7 +26,7 @@ class ObstacleTree {
  public:
   // `obstacles` must outlive the tree.
   ObstacleTree(const PolygonSet& obstacles, const pdg::Frame& frame,
-               const std::vector<pdg::ConvexPiece>& walls);
+               const std::vector<pdg::ConvexPiece>& walls, bool partition = true);
 
   [[nodiscard]] std::uint32_t root() const { return 0; }
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
@@ -41,6 +41,8 @@ class ObstacleTree {
 
   // Gives the node two children or a piece; does nothing if it has them. Invalidates references.
   void expand(std::uint32_t node);
+  // Everything below the root.
+  void expand_all();
 
  private:
   struct Item {
@@ -60,6 +62,7 @@ class ObstacleTree {
   std::vector<std::uint32_t> polygons_;
   std::vector<TreeNode> nodes_;
   std::vector<Item> items_;
+  bool partition_ = true;
   std::uint32_t wall_count_ = 0;
   std::size_t untouched_ = 0;
 };

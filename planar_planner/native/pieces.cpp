@@ -21,9 +21,10 @@ void append_fans(const pdg::ConvexPolygon& piece, std::vector<pdg::ConvexPolygon
 
 }  // namespace
 
-std::vector<pdg::ConvexPolygon> planner_pieces(const pdg::Polygon& polygon) {
+std::vector<pdg::ConvexPolygon> planner_pieces(const pdg::Polygon& polygon, const bool partition) {
   std::vector<pdg::ConvexPolygon> pieces;
-  for (pdg::ConvexPolygon& piece : pdg::convex_partition(polygon)) {
+  for (pdg::ConvexPolygon& piece :
+       partition ? pdg::convex_partition(polygon) : pdg::convex_pieces(polygon)) {
     if (piece.size() <= kMaxPieceVertices)
       pieces.push_back(std::move(piece));
     else

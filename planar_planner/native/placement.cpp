@@ -105,19 +105,43 @@ Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
 
 std::optional<Configuration> lift_off(const Problem& problem, SegmentTest& test,
                                       const Configuration& q, const double tolerance) {
-  for (int k = kLengths - 1; k >= 0; --k) {
-    // A little short of the tolerance, so that rounding cannot carry it beyond.
-    const double most = tolerance * (1.0 - pdg::kLiftOffUnits * pdg::kUnitRoundoff);
-    const double length = std::ldexp(most, -2 * k);
-    for (int i = 0; i < kDirections; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / kDirections;
-      const Configuration moved{q.x + length * std::cos(angle), q.y + length * std::sin(angle),
-                                q.theta};
-      // Far from the user's origin the sums round by more than that.
-      if (std::hypot(moved.x - q.x, moved.y - q.y) > most) continue;
-      if (outside_bounds(problem, moved) == 0.0 && test.is_free(pose_of(problem, moved)))
-        return moved;
+  const double most = tolerance * (1.0 - pdg::kLiftOffUnits * pdg::kUnitRoundoff);
+  const auto moved = [&](const int direction, const int k) -> std::optional<Configuration> {
+    const double angle = 2.0 * std::numbers::pi * direction / kDirections;
+    // Rounding of the sums may carry it beyond the tolerance, most of all far from the user's
+    // origin: then a little shorter, by units of the coordinates.
+    const double unit = 2.0 * pdg::kUnitRoundoff * std::max(std::abs(q.x), std::abs(q.y));
+    for (int shorter = 0; shorter < 3; ++shorter) {
+      const double length = std::ldexp(most, -2 * k) - shorter * unit;
+      const Configuration to{q.x + length * std::cos(angle), q.y + length * std::sin(angle),
+                             q.theta};
+      const bool within = length > 0.0 && std::hypot(to.x - q.x, to.y - q.y) <= most;
+      if (within && outside_bounds(problem, to) == 0.0) return to;
     }
+    return std::nullopt;
+  };
+  // The shortest way off, so that none hops over a thin wall; of several the one into the open.
+  for (int k = kLengths - 1; k >= 0; --k) {
+    std::optional<Configuration> best;
+    int best_direction = 0;
+    double best_clearance = -INFINITY;
+    for (int i = 0; i < kDirections; ++i) {
+      const auto to = moved(i, k);
+      if (!to) continue;
+      const auto clearance = test.clearance(pose_of(problem, *to));
+      if (!clearance || *clearance <= best_clearance) continue;
+      best = to;
+      best_direction = i;
+      best_clearance = *clearance;
+    }
+    if (!best) continue;
+    // Further along it as far as the way stays free: room for the search to work with.
+    while (--k >= 0) {
+      const auto to = moved(best_direction, k);
+      if (!to || !test.certify(pose_of(problem, *best), pose_of(problem, *to))) break;
+      best = to;
+    }
+    return best;
   }
   return std::nullopt;
 }

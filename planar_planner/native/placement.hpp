@@ -36,9 +36,10 @@ double outside_bounds(const Problem& problem, const Configuration& q);
 Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
                 const Configuration& q);
 
-// The nearest free configuration found by translating q by at most `tolerance` (user's units): the
-// meaning of the contact tolerance. Every configuration on the straight way there has
-// PD^t <= tolerance. Deterministic; empty if none of the directions tried is free.
+// A free configuration found by translating q by at most `tolerance` (user's units), off the
+// contact by the shortest way and then on into the open: the meaning of the contact tolerance.
+// Every configuration on the straight way there has PD^t <= tolerance. Deterministic; empty if none
+// of the directions tried is free.
 std::optional<Configuration> lift_off(const Problem& problem, SegmentTest& test,
                                       const Configuration& q, double tolerance);
 

@@ -14,11 +14,12 @@ constexpr std::uint64_t kDiscCells = 4000;
 
 }  // namespace
 
-Planner::Planner(Scene scene) {
+Planner::Planner(Scene scene, const Parts& parts) {
   const Stopwatch watch(preprocessing_);
-  problem_ = make_problem(std::move(scene));
-  tree_ = std::make_unique<ObstacleTree>(problem_.scene.obstacles, problem_.frame, problem_.walls);
-  labeller_ = std::make_unique<Labeller>(problem_.robot, *tree_, statistics_);
+  problem_ = make_problem(std::move(scene), parts);
+  tree_ = std::make_unique<ObstacleTree>(problem_.scene.obstacles, problem_.frame, problem_.walls,
+                                         parts.partition);
+  labeller_ = std::make_unique<Labeller>(problem_.robot, *tree_, statistics_, parts);
   segments_ = std::make_unique<SegmentTest>(problem_, *labeller_, statistics_);
 }
 
@@ -27,8 +28,11 @@ Answer Planner::solve(const Configuration& start, const Configuration& goal, con
   Query query(start, goal, limits, listener);
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
-  if (!ends_not_free(query) && !cheap_move(query) && !disc_answer(query)) subdivide(query);
-  remember(query);
+  const bool cheap = problem_.parts.cheap;
+  if (!ends_not_free(query) && !(cheap && (cheap_move(query) || disc_answer(query))))
+    subdivide(query);
+  confirm_absence(query, start, goal);
+  remember(query, start, goal);
   settle_lifted_ends(query, start, goal);
   complete_answer(query);
   return std::move(query.answer);
@@ -137,16 +141,32 @@ void Planner::subdivide(Query& query) {
   Refinement(problem_, *tree_, *subdivision_, *faces_, *segments_, statistics_, query).run();
 }
 
-// A lifted end stands for the user's: its path gets a first or last leg within the tolerance. That
-// it has no path says nothing certain of the user's own.
+// Every leaf that the exact configuration can lie in.
+std::vector<CellId> Planner::leaves_of(const Configuration& q) const {
+  return subdivision_->leaves_near(dyadic_point(problem_, q), kDyadicSlack);
+}
+
+// A proof of absence was found for the ends as they were placed: rounded, or lifted off a contact.
+// It is concluded only if it holds for the user's own, whether those are free or in contact: every
+// leaf that one can lie in is cut off from every leaf that the other can lie in.
+void Planner::confirm_absence(Query& query, const Configuration& start,
+                              const Configuration& goal) const {
+  const Answer& answer = query.answer;
+  if (answer.verdict != Verdict::kNoPath) return;
+  const std::string& by = answer.statistics.decided_by;
+  const bool separated =
+      by == "separation" && !subdivision_->connected(leaves_of(start), leaves_of(goal));
+  const bool own_ends = !query.lifted || by == "start" || by == "goal";
+  if (by == "separation" ? separated : own_ends) return;
+  query.conclude(Verdict::kUndecided,
+                 "no path from where the contact tolerance moved the ends; that proves nothing of "
+                 "the ends themselves");
+}
+
+// A lifted end stands for the user's: its path gets a first or last leg within the tolerance.
 void Planner::settle_lifted_ends(Query& query, const Configuration& start,
                                  const Configuration& goal) const {
   if (!query.lifted) return;
-  if (query.answer.verdict == Verdict::kNoPath)
-    query.conclude(
-        Verdict::kUndecided,
-        "no path from where the contact tolerance moved the ends; that proves nothing of "
-        "the ends themselves");
   std::vector<Configuration>& path = query.answer.path.waypoints;
   if (path.empty()) return;
   const auto same = [](const Configuration& a, const Configuration& b) {
@@ -171,11 +191,9 @@ void Planner::complete_answer(Query& query) {
   if (subdivision_) take_census(*subdivision_, answer);
 }
 
-void Planner::remember(const Query& query) {
+void Planner::remember(const Query& query, const Configuration& start, const Configuration& goal) {
   const Answer& answer = query.answer;
-  last_ = {answer.verdict, answer.statistics.decided_by, query.start, query.goal,
-           answer.path.waypoints};
-  if (query.lifted && answer.verdict == Verdict::kNoPath) last_.verdict = Verdict::kUndecided;
+  last_ = {answer.verdict, answer.statistics.decided_by, start, goal, answer.path.waypoints};
 }
 
 Evidence Planner::evidence() {
@@ -189,11 +207,8 @@ Evidence Planner::evidence() {
     out.disc_piece = problem_.robot.inner_piece;
     return out;
   } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == "separation") {
-    const auto leaf = [&](const Configuration& q) {
-      return subdivision_->locate(dyadic_point(problem_, q));
-    };
-    out.barrier =
-        find_barrier(*subdivision_, faces_->blocked(), leaf(last_.start), leaf(last_.goal));
+    out.barrier = find_barrier(*subdivision_, faces_->blocked(), leaves_of(last_.start),
+                               leaves_of(last_.goal));
     if (!out.barrier.start_side.empty()) out.kind = ClaimKind::kSeparation;
   } else if (last_.verdict == Verdict::kNoPath) {
     const Placement p = placement(last_.decided_by == "start" ? last_.start : last_.goal);

@@ -25,7 +25,7 @@ struct PathCheck {
 // Keeps the subdivision between queries. Not thread-safe.
 class Planner {
  public:
-  explicit Planner(Scene scene);
+  explicit Planner(Scene scene, const Parts& parts = {});
   Planner(const Planner&) = delete;  // its parts refer to each other
   Planner& operator=(const Planner&) = delete;
 
@@ -48,11 +48,13 @@ class Planner {
   void subdivide(Query& query);
   void prepare_subdivision(const Query& query);
   void complete_answer(Query& query);
-  void remember(const Query& query);
+  void remember(const Query& query, const Configuration& start, const Configuration& goal);
   void settle_lifted_ends(Query& query, const Configuration& start,
                           const Configuration& goal) const;
+  [[nodiscard]] std::vector<CellId> leaves_of(const Configuration& q) const;
+  void confirm_absence(Query& query, const Configuration& start, const Configuration& goal) const;
 
-  // The last query, for its evidence: ends as planned between, and the path between them.
+  // The last query, for its evidence: the user's ends, and the path without legs into contact.
   struct Last {
     Verdict verdict = Verdict::kUndecided;
     std::string decided_by;

@@ -20,8 +20,13 @@ Pose pose_of(const Problem& problem, const Configuration& q);
 // Moved onto the reference bounds where rounding carried it out of them.
 Configuration configuration_of(const Problem& problem, const Pose& pose);
 
-// Its place in the domain, near enough: in units of 2^-60 (cell.hpp).
+// Its place in the domain in units of 2^-60 (cell.hpp), up to kDyadicSlack.
 std::array<std::uint64_t, 3> dyadic_point(const Problem& problem, const Configuration& q);
+
+// Units of 2^-60 of the domain and of a turn: x and y are rounded 5 times at magnitudes below 2
+// domain widths (10 u), theta by sine, cosine, arc tangent and a division (6 u of a turn), and the
+// result is cut off to a unit; 16 u = 2^11 units, doubled.
+inline constexpr std::uint64_t kDyadicSlack = std::uint64_t{1} << 12U;
 
 // `angle` plus the whole turns that bring it nearest to `theta`.
 double nearest_turn(double angle, double theta);

@@ -64,8 +64,9 @@ std::vector<pdg::ConvexPiece> make_walls(const Rectangle& box) {
 
 }  // namespace
 
-Problem make_problem(Scene scene) {
+Problem make_problem(Scene scene, const Parts& parts) {
   Problem problem;
+  problem.parts = parts;
   problem.user_obstacles = scene.obstacles.size();
   problem.rotation = scene.rotation;
   problem.reference_bounds = scene.reference_bounds;
@@ -78,7 +79,7 @@ Problem make_problem(Scene scene) {
   }
   const Rectangle bounds = scene.reference_bounds.value_or(Rectangle{});
   problem.frame = make_frame(body.value_or(bounds));
-  problem.robot = make_robot(scene.robot, problem.frame.exponent);
+  problem.robot = make_robot(scene.robot, problem.frame.exponent, parts.partition);
 
   const auto framed = [&](const Rectangle& r) {
     return Rectangle{to_planner(problem, r.low), to_planner(problem, r.high)};

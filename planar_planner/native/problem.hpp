@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "obstacle_tree.hpp"
+#include "parts.hpp"
 #include "robot.hpp"
 #include "scene.hpp"
 
@@ -27,9 +28,10 @@ struct Problem {
   std::optional<Rectangle> reference_bounds;  // user's units
   std::vector<pdg::ConvexPiece> walls;        // half-planes; empty without a workspace
   bool rotation = true;
+  Parts parts;
 };
 
-Problem make_problem(Scene scene);
+Problem make_problem(Scene scene, const Parts& parts = {});
 
 inline Vec2 to_planner(const Problem& problem, const Vec2 p) {
   return pdg::to_frame(problem.frame, p);

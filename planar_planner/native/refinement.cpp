@@ -1,6 +1,7 @@
 #include "refinement.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace planner {
 
@@ -38,6 +39,7 @@ void Refinement::run() {
     bool connected = false;
     {
       const Stopwatch watch(statistics_.seconds.search);
+      if (!problem_.parts.incremental) search_.rebuild();
       connected = search_.find(channel);
     }
     if (!connected && !subdivision_.connected(search_.start(), search_.goal()))
@@ -59,13 +61,21 @@ void Refinement::run() {
         return query_.conclude(Verdict::kUndecided, "resolution reached");
     }
     statistics_.channel_length = channel.size();
-    if (split_mixed(channel)) continue;
+    if (split_mixed(problem_.parts.guided ? channel : all_cells())) continue;
     if (!link(channel)) continue;
     if (finish(channel)) return;
   }
 }
 
-// Splits the largest MIXED cells of the channel. False if it has none.
+// Level by level there is no channel: every leaf is as good as any other.
+std::vector<CellId> Refinement::all_cells() const {
+  std::vector<CellId> all(subdivision_.size());
+  std::iota(all.begin(), all.end(), CellId{0});
+  std::erase_if(all, [&](const CellId id) { return subdivision_.cell(id).exhausted; });
+  return all;
+}
+
+// Splits the largest MIXED cells among these. False if there are none.
 bool Refinement::split_mixed(const std::vector<CellId>& channel) {
   float largest = 0.0F;
   for (const CellId id : channel)

@@ -24,6 +24,7 @@ class Refinement {
   void run();
 
  private:
+  [[nodiscard]] std::vector<CellId> all_cells() const;
   bool split_mixed(const std::vector<CellId>& channel);
   bool link(const std::vector<CellId>& channel);
   void resolve_doubt(CellId a, CellId b);

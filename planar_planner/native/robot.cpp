@@ -56,14 +56,14 @@ double origin_distance(const pdg::ConvexPiece& piece) {
 
 }  // namespace
 
-Robot make_robot(const PolygonSet& polygons, const int exponent) {
+Robot make_robot(const PolygonSet& polygons, const int exponent, const bool partition) {
   Robot robot;
   const pdg::Frame frame{{}, exponent};
   std::vector<Vec2> points;
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const Polygon polygon = polygons.polygon(i);
     points.insert(points.end(), polygon.rings[0].begin(), polygon.rings[0].end());
-    for (const pdg::ConvexPolygon& piece : planner_pieces(polygon)) {
+    for (const pdg::ConvexPolygon& piece : planner_pieces(polygon, partition)) {
       robot.pieces.push_back(pdg::make_piece(piece, frame));
       robot.polygon_of_piece.push_back(static_cast<std::uint32_t>(i));
     }

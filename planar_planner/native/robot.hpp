@@ -27,7 +27,7 @@ struct Robot {
   [[nodiscard]] std::uint16_t hull() const { return static_cast<std::uint16_t>(pieces.size() - 1); }
 };
 
-Robot make_robot(const PolygonSet& polygons, int exponent);
+Robot make_robot(const PolygonSet& polygons, int exponent, bool partition = true);
 
 void pose(const Robot& robot, pdg::Rotation rotation, pdg::PosedRobot& out);
 

@@ -40,12 +40,14 @@ pdg::Motion motion_along(const Problem& problem, const Pose& from, const Pose& t
   return m;
 }
 
-bool SegmentTest::is_free(const Pose& pose) {
+std::optional<double> SegmentTest::clearance(const Pose& pose) {
   ConstraintList root, rest;
   labeller_.root_list(root);
   const pdg::Motion m = motion_along(problem_, pose, pose, {0.0, 1.0});
-  return labeller_.label(m, labeller_.posed(rotation_at(pose.theta)), view(root), rest).label ==
-         Label::kFree;
+  const LabelResult result =
+      labeller_.label(m, labeller_.posed(rotation_at(pose.theta)), view(root), rest);
+  if (result.label != Label::kFree) return std::nullopt;
+  return result.clearance;
 }
 
 bool SegmentTest::certify(const Pose& from, const Pose& to, const double margin) {

@@ -35,8 +35,10 @@ class SegmentTest {
   // With a margin: by at least that much, along the separating axes.
   bool certify(const Pose& from, const Pose& to, double margin = 0.0);
 
-  // Is this single configuration free?
-  bool is_free(const Pose& pose);
+  // Lower bound of this single configuration's clearance, planner units; empty if it is not proven
+  // free.
+  std::optional<double> clearance(const Pose& pose);
+  [[nodiscard]] bool is_free(const Pose& pose) { return clearance(pose).has_value(); }
 
  private:
   bool certify_interval(const Pose& from, const Pose& to, Interval interval,

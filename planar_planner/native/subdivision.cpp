@@ -133,6 +133,32 @@ CellId Subdivision::locate(const std::array<std::uint64_t, 3>& point) const {
   return at & ~kLeaf;
 }
 
+std::vector<CellId> Subdivision::leaves_near(const std::array<std::uint64_t, 3>& point,
+                                             const std::uint64_t slack) const {
+  std::vector<CellId> out;
+  for (std::size_t i = 0; i < roots_.size(); ++i)
+    collect_near(roots_[i], root_box(i), point, slack, out);
+  return out;
+}
+
+void Subdivision::collect_near(const std::uint32_t node, const CellBox& box,
+                               const std::array<std::uint64_t, 3>& point, const std::uint64_t slack,
+                               std::vector<CellId>& out) const {
+  for (Axis k = 0; k < kNoAxis; ++k) {
+    const std::uint64_t p = point[k];
+    bool near = box.low[k] <= p + slack && p <= box.high(k) + slack;
+    if (k == kTheta)  // turn 0 is turn 1
+      near =
+          near || (box.low[k] == 0 && kUnit <= p + slack) || (box.high(k) == kUnit && p <= slack);
+    if (!near) return;
+  }
+  if ((node & kLeaf) != 0) return out.push_back(node & ~kLeaf);
+  const Branch& branch = branches_[node];
+  const Halves halves = halve(box, branch.axis);
+  collect_near(branch.lower, halves.lower, point, slack, out);
+  collect_near(branch.upper, halves.upper, point, slack, out);
+}
+
 // The axis along which the motion is widest, among those that sway the undecided functions about as
 // much as any. In a corridor the axis along it does not, and is not halved: that keeps cells few
 // where the way is long and narrow.
@@ -172,13 +198,17 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
   const double relative = radius / labeller_.robot().reach;
   if (result.label == Label::kMixed) {
     // A cell whose centre looks free is not FULL; the rest is worth both tests.
-    if (result.separation < 0.0 && joint_.obstructs(motion, posed, view(child_list_))) {
+    const Parts& parts = labeller_.parts();
+    if (parts.joint && result.separation < 0.0 &&
+        joint_.obstructs(motion, posed, view(child_list_))) {
       cell.label = Label::kFull;
       cell.joint = true;
       cell.proof = static_cast<std::uint32_t>(proofs_.size());
       grow(proofs_);
       proofs_.push_back(joint_.proof());
       ++statistics_.joint_cells;
+    } else if (!parts.star) {
+      // left MIXED
     } else if (++statistics_.star_tests;
                const auto guard = star_.find_guard(motion, posed, view(child_list_))) {
       cell.label = Label::kStar;
@@ -284,20 +314,22 @@ bool Subdivision::linked(const CellId a, const CellId b) const {
                                     : std::find(of_b.begin(), of_b.end(), a) != of_b.end();
 }
 
-bool Subdivision::connected(const CellId a, const CellId b) const {
+bool Subdivision::connected(const std::span<const CellId> from,
+                            const std::span<const CellId> to) const {
   std::vector<bool> seen(cells_.size());
-  std::vector<CellId> open{a};
-  seen[a] = true;
-  while (!open.empty() && !seen[b]) {
+  std::vector<CellId> open;
+  const auto visit = [&](const CellId cell) {
+    if (seen[cell] || cells_[cell].label == Label::kFull) return;
+    seen[cell] = true;
+    open.push_back(cell);
+  };
+  for (const CellId cell : from) visit(cell);
+  while (!open.empty()) {
     const CellId cell = open.back();
     open.pop_back();
-    for (const CellId next : cells_[cell].neighbours) {
-      if (seen[next]) continue;
-      seen[next] = true;
-      open.push_back(next);
-    }
+    for (const CellId next : cells_[cell].neighbours) visit(next);
   }
-  return seen[b];
+  return std::any_of(to.begin(), to.end(), [&](const CellId cell) { return seen[cell]; });
 }
 
 void Subdivision::mark_exhausted(const CellId id) {

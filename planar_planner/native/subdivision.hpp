@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "cell.hpp"
@@ -71,6 +72,10 @@ class Subdivision {
   // The leaf whose closed box holds the point (the lower one on a common face).
   [[nodiscard]] CellId locate(const std::array<std::uint64_t, 3>& point) const;
 
+  // All leaves, of any label, whose closed boxes come within `slack` of the point along every axis.
+  [[nodiscard]] std::vector<CellId> leaves_near(const std::array<std::uint64_t, 3>& point,
+                                                std::uint64_t slack) const;
+
   // Is the cell still wider than `resolution` along the axis that it would be halved along?
   [[nodiscard]] bool divisible(CellId id, double resolution) const;
   // Halves a leaf along the axis that moves the robot most, labels the halves, mends the
@@ -84,7 +89,9 @@ class Subdivision {
   [[nodiscard]] bool linked(CellId a, CellId b) const;
   // Is there any chain of neighbours from a to b? A plain flood fill that owes nothing to the
   // search.
-  [[nodiscard]] bool connected(CellId a, CellId b) const;
+  [[nodiscard]] bool connected(CellId a, CellId b) const { return connected({&a, 1}, {&b, 1}); }
+  // From any of some leaves to any of others; FULL ones have no neighbours.
+  [[nodiscard]] bool connected(std::span<const CellId> from, std::span<const CellId> to) const;
 
   // The kd-tree itself: a node is a leaf (kLeaf set, the rest its id) or the index of a branch.
   struct Branch {
@@ -101,6 +108,9 @@ class Subdivision {
   static constexpr std::uint32_t kRoot = std::uint32_t{1} << 31U;  // Cell::branch of a root
 
   [[nodiscard]] std::uint8_t root_level() const;
+  void collect_near(std::uint32_t node, const CellBox& box,
+                    const std::array<std::uint64_t, 3>& point, std::uint64_t slack,
+                    std::vector<CellId>& out) const;
 
   Cell make_cell(const CellBox& box, const ConstraintView& parent);
   void adopt_neighbours(CellId lower, CellId upper, const Halves& halves, Axis axis,

@@ -127,7 +127,7 @@ TEST(PlannerBarrier, SeparatesStartFromGoal) {
     for (const CellId id : leaves)
       if (s.connected(start, id) == (seed % 3 == 0)) goal = id;  // the last such leaf, if any
     if (start == goal) continue;
-    const planner::Barrier barrier = find_barrier(s, {}, start, goal);
+    const planner::Barrier barrier = find_barrier(s, {}, {&start, 1}, {&goal, 1});
     ASSERT_EQ(barrier.start_side.empty(), s.connected(start, goal));
     (barrier.start_side.empty() ? open : separated) += 1;
     if (barrier.start_side.empty()) continue;
@@ -148,6 +148,48 @@ TEST(PlannerBarrier, SeparatesStartFromGoal) {
   }
   EXPECT_GT(separated, 10U);
   EXPECT_GT(open, 10U);
+}
+
+TEST(PlannerBarrier, LeavesNearAPointAreThoseWhoseBoxesComeNear) {
+  std::size_t several = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(6000 + seed);
+    World world(worlds::random_scene(random, worlds::recipes()[seed]));
+    Subdivision s(world.space, world.labeller, world.statistics);
+    refine(random, s, 300);
+    for (int i = 0; i < 200; ++i) {
+      const planner::CellBox& some =
+          s.cell(static_cast<CellId>(worlds::pick(random, 0, static_cast<int>(s.size()) - 1))).box;
+      std::array<std::uint64_t, 3> point{};  // at a corner of some leaf, or a little off it
+      for (Axis k = 0; k < planner::kNoAxis; ++k) {
+        const auto off = static_cast<std::uint64_t>(worlds::pick(random, 0, 6));
+        const std::uint64_t corner = worlds::pick(random, 0, 1) == 0 ? some.low[k] : some.high(k);
+        point[k] = std::min(corner + off, planner::kUnit - 1);
+      }
+      constexpr std::int64_t slack = 3;
+      constexpr auto turn = static_cast<std::int64_t>(planner::kUnit);
+      std::set<CellId> expected;
+      for (CellId id = 0; id < s.size(); ++id) {
+        bool near = true;
+        for (Axis k = 0; k < planner::kNoAxis; ++k) {
+          const planner::CellBox& box = s.cell(id).box;
+          const auto within = [&](const std::int64_t p) {
+            return static_cast<std::int64_t>(box.low[k]) - slack <= p &&
+                   p <= static_cast<std::int64_t>(box.high(k)) + slack;
+          };
+          const auto p = static_cast<std::int64_t>(point[k]);
+          near = near &&
+                 (within(p) || (k == planner::kTheta && (within(p + turn) || within(p - turn))));
+        }
+        if (near) expected.insert(id);
+      }
+      const std::vector<CellId> found = s.leaves_near(point, slack);
+      ASSERT_EQ(std::set<CellId>(found.begin(), found.end()), expected);
+      several += found.size() > 1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(several, 300U);
 }
 
 TEST(PlannerBarrier, EdgesSeparateTheirPairsAllAlongTheSegment) {

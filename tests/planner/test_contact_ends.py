@@ -1,0 +1,55 @@
+"""Ends in contact: what the contact tolerance allows to be concluded."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from planar_planner import Options, load_scene, solve
+from planar_planner.verify import verify_certificate
+
+
+def rectangle(x0: float, y0: float, x1: float, y1: float) -> dict[str, Any]:
+    ring = [[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]]
+    return {"type": "Polygon", "coordinates": [ring]}
+
+
+def room(door: float) -> dict[str, Any]:
+    """Return a room whose square robot rests on a floor; the wall may leave a door."""
+    return {
+        "format": "planar-planner/scene",
+        "version": 1,
+        "workspace": {"box": [0, 0, 10, 4]},
+        "robot": rectangle(-0.5, -0.5, 0.5, 0.5),
+        "obstacles": [rectangle(5, 0, 6, 4 - door), rectangle(0, -1, 10, 0.25)],
+        "start": [2, 0.75, 0],
+        "goal": [8, 2, 0],
+    }
+
+
+def test_without_a_tolerance_contact_is_undecided() -> None:
+    assert solve(room(1.5)).verdict == "undecided"
+    assert solve(room(0.0)).verdict == "undecided"
+
+
+@pytest.mark.parametrize("tolerance", [1e-7, 1e-5, 1e-3])
+def test_a_resting_robot_gets_away(tolerance: float) -> None:
+    scene = load_scene(room(1.5))
+    result = solve(scene, Options(contact_tolerance=tolerance), certificate=True)
+    assert result.verdict == "path"
+    lift = result.path[1] - result.path[0]
+    assert 0 < (lift[0] ** 2 + lift[1] ** 2) ** 0.5 <= tolerance
+    assert result.certificate is not None
+    assert result.certificate["contact_tolerance"] == tolerance
+    verify_certificate(scene, result.certificate, contact_tolerance=tolerance)
+
+
+@pytest.mark.parametrize("tolerance", [1e-7, 1e-5, 1e-3])
+def test_a_resting_robot_is_proven_walled_in(tolerance: float) -> None:
+    """The cells that separate the lifted start separate the start itself, so the proof is of it."""
+    scene = load_scene(room(0.0))
+    result = solve(scene, Options(contact_tolerance=tolerance), certificate=True)
+    assert result.verdict == "no_path"
+    assert result.certificate is not None
+    verify_certificate(scene, result.certificate)
