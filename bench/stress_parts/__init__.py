@@ -9,4 +9,5 @@ PARTS: tuple[str, ...] = (
     "contact",
     "critical",
     "false_no_path",
+    "faults",
 )

@@ -1,9 +1,10 @@
 """What must not change a verdict: where a scene lies, its units, how it is drawn, which way.
 
-Every shipped scene is put on a grid (`maps.snapped`) and its answer must be the manifest's. Then
+Every shipped scene is put on a grid (`maps.snapped`) and its answer must be the manifest's; tight
+scenes, near critical values, are on it as they are (`families`). Then
 
 - *exact* maps and redrawings give the same problem to the last bit: any other verdict than the
-  manifest's, or a refusal, is a contradiction;
+  true one, or a refusal, is a contradiction;
 - *rounded* maps give a near problem: every coordinate moves by at most a few units in the last
   place of the largest one. They are applied only to scenes whose answer is known to survive that
   (`has_margin`), and where rounding may make a polygon invalid the refusal is no contradiction.
@@ -14,61 +15,109 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 import shapely  # type: ignore[import-untyped]
 
 from planar_planner import Options, load_scene
 from planar_planner.builtin import manifest
 from stress_parts import redraw
-from stress_parts.common import Answer, Row, Scene, Settings, ask, expect
+from stress_parts.common import REFUSED, Answer, Row, Scene, Settings, ask, expect
+from stress_parts.families import families
 from stress_parts.maps import Similarity, exchanged, rounded, similar, size, snapped
 
 PART = "invariance"
-OPTIONS = Options(max_cells=300_000, timeout=10.0)
 FAR = (3, 6, 9)  # powers of ten: shifts in sizes of the scene, and units
 FAR_BITS = (10, 20, 30)  # the same as powers of two, for exact maps
 FACTOR_BITS = 10  # of a random exact factor's parts: arbitrary angles, to a degree's twentieth
+TIGHT = 2.0**-18  # of a scene's size: step of a tight scene's parameter; its halves are on the grid
 MARGIN = 1e-6  # of a scene's size; rounding at 1e9 sizes from the origin moves a point by 1.6e-7
 
 Change = Callable[[Scene, random.Random], Scene | None]
 
 
+@dataclass(frozen=True)
+class Subject:
+    """A scene on its grid, and its true answer; `tight` if that is nearly another."""
+
+    name: str
+    scene: Scene
+    truth: str
+    tight: bool
+
+    @property
+    def options(self) -> Options:
+        """Limits: tight scenes may take cells without end where they stand aslant."""
+        return Options(max_cells=10_000 if self.tight else 300_000, timeout=10.0)
+
+
 def run(settings: Settings) -> list[Row]:
-    """Apply every change to every shipped scene."""
-    truth = {name: str(entry["expected"]) for name, entry in manifest().items()}
-    names = list(truth)[: settings.most]
-    scenes = {name: snapped(load_scene(name).to_dict()) for name in names}
-    base = Row(PART, "as shipped, on a grid")
-    answers = {
-        name: expect(settings, base, scene, {truth[name]}, OPTIONS)
-        for name, scene in scenes.items()
-    }
-    margins = Row(PART, "robot eroded: has the scene a margin?")
-    steady = [n for n in names if has_margin(settings, margins, scenes[n], answers[n])]
-    left_out = [name for name in names if name not in steady]
-    if left_out:
-        margins.note = f"none shown, so not in the rounded maps: {', '.join(left_out)}"
-    rows = [base, margins]
+    """Apply every change to every shipped scene, and to tight ones."""
+    shipped, tight = list(_shipped())[: settings.most], list(_tight())[: settings.most]
+    subjects = shipped + (tight[::4] if settings.quick else tight)
+    rows, steady = _as_they_are(settings, subjects)
     for case, change, draws, is_exact in _cases():
         row = Row(PART, case, note="" if is_exact else "rounded")
-        for name in names if is_exact else steady:
-            allowed = {truth[name]} if is_exact else {truth[name], "refused"}
-            for draw in range(settings.count(draws, 1)):
-                rng = random.Random(f"{settings.seed} {case} {name} {draw}")
-                changed = change(scenes[name], rng)
+        for subject in subjects if is_exact else steady:
+            if settings.quick and len(subjects) > 2 and _chance(case, subject) < 0.6:
+                continue
+            allowed = {subject.truth} if is_exact else {subject.truth, REFUSED}
+            for draw in range(1 if subject.tight else settings.count(draws, 1)):
+                rng = random.Random(f"{settings.seed} {case} {subject.name} {draw}")
+                changed = change(subject.scene, rng)
                 if changed is not None:
-                    expect(settings, row, changed, allowed, OPTIONS)
+                    expect(settings, row, changed, allowed, subject.options)
         rows.append(row)
     return rows
 
 
-def has_margin(settings: Settings, row: Row, scene: Scene, answer: Answer) -> bool:
+def _chance(case: str, subject: Subject) -> float:
+    return random.Random(f"{case} {subject.name}").random()
+
+
+def _shipped() -> Iterator[Subject]:
+    for name, entry in manifest().items():
+        scene = snapped(load_scene(name).to_dict())
+        yield Subject(name, scene, str(entry["expected"]), tight=False)
+
+
+def _tight() -> Iterator[Subject]:
+    """Yield the families one grid step on either side of their critical values.
+
+    Those whose scenes lie on the grid as they are: their truth is then known.
+    """
+    for family in families():
+        unit = TIGHT * size(family.make(family.parameter(0.0)))
+        near = math.floor(family.critical / unit)
+        for parameter in (unit * (near + k) for k in (-1, 0, 1, 2)):
+            scene = {**family.make(parameter), "name": f"{family.name} at {parameter!r}"}
+            if snapped(scene) == scene:
+                truth = "path" if family.has_path(parameter) else "no_path"
+                yield Subject(scene["name"], scene, truth, tight=True)
+
+
+def _as_they_are(settings: Settings, subjects: list[Subject]) -> tuple[list[Row], list[Subject]]:
+    """Ask for the scenes unchanged; return rows, and the scenes that rounding cannot change."""
+    base = Row(PART, "unchanged, on a grid")
+    margins = Row(PART, "robot eroded: has the scene a margin?")
+    steady = []
+    for subject in subjects:
+        answer = expect(settings, base, subject.scene, {subject.truth}, subject.options)
+        if has_margin(settings, margins, subject, answer):
+            steady.append(subject)
+    count = len(subjects) - len(steady)
+    margins.note = f"{count} have none of {MARGIN:g} sizes: they are not in the rounded maps"
+    return [base, margins], steady
+
+
+def has_margin(settings: Settings, row: Row, subject: Subject, answer: Answer) -> bool:
     """Whether moving each point by `MARGIN` sizes cannot change the answer.
 
     A path: its certified clearance is larger than the sum of the robot's and the obstacles'
     motions. No path: there is none either for the robot eroded by that sum; where it meets an
     obstacle, a moved robot meets the moved obstacle.
     """
+    scene = subject.scene
     margin = 2 * MARGIN * size(scene)
     if answer.result is not None and answer.verdict == "path":
         return bool(answer.result.stats["least_clearance"] > margin)
@@ -76,7 +125,7 @@ def has_margin(settings: Settings, row: Row, scene: Scene, answer: Answer) -> bo
         [shapely.Polygon(p[0], p[1:]) for p in redraw.polygons(scene["robot"])]
     )
     eroded = shapely.geometry.mapping(body.buffer(-margin, join_style="mitre"))
-    return ask(settings, row, {**scene, "robot": eroded}, OPTIONS).verdict == "no_path"
+    return ask(settings, row, {**scene, "robot": eroded}, subject.options).verdict == "no_path"
 
 
 def _cases() -> Iterator[tuple[str, Change, int, bool]]:
