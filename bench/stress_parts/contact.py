@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from planar_planner import Options
@@ -19,7 +19,8 @@ from scenarios import model as draw
 from stress_parts import exact
 from stress_parts.common import REFUSED, Row, Scene, Settings, expect
 from stress_parts.families import plain
-from stress_parts.maps import exchanged
+from stress_parts.lattice import lattice_scene
+from stress_parts.maps import Similarity, exchanged, similar
 from stress_parts.worlds import star
 
 PART = "contact"
@@ -76,6 +77,9 @@ def _cases(settings: Settings) -> Iterator[Case]:
     yield from _fitting()
     yield from _overlapping()
     yield from _thin_wall()
+    yield from _pinched(settings)
+    for number in range(settings.count(4 * FULL, 4 * QUICK)):
+        yield from _on_lattice(random.Random(f"{settings.seed} lattice {number}"))
     for number in range(settings.count(FULL, QUICK)):
         yield from _fallen(random.Random(f"{settings.seed} fall {number}"))
 
@@ -209,6 +213,50 @@ def _thin_wall() -> Iterator[Case]:
             ((0.0, 0.0, 0.0), (5.0, 0.0, 0.5)),
             BLOCKED,
         )
+
+
+def _pinched(settings: Settings) -> Iterator[Case]:
+    """Yield a rhomb just between two tips: the one place where both sides of a wall meet.
+
+    It may not turn, so that the only way from side to side is through contact with both tips.
+    """
+    rhomb = [(-0.75, 0.0), (0.0, -0.5), (0.75, 0.0), (0.0, 0.5)]
+    tips = [
+        draw.polygon([(0.0, 0.5), (0.25, 4.0), (-0.25, 4.0)]),
+        draw.polygon([(0.0, -0.5), (-0.25, -4.0), (0.25, -4.0)]),
+    ]
+    pinch, left, right = (0.0, 0.0, 0.0), (-2.0, 0.5, 0.0), (2.0, -1.0, 0.0)
+    for ends in ((pinch, left), (pinch, right), (left, right)):
+        case = _case(
+            "pinched between two tips",
+            rhomb,
+            tips,
+            ends,
+            FREE,
+            workspace=(-4.0, -4.0, 4.0, 4.0),
+            turns=False,
+        )
+        yield case
+        for number in range(settings.count(20, 2)):
+            yield _elsewhere(case, random.Random(f"{settings.seed} pinch {number}"))
+
+
+def _elsewhere(case: Case, rng: random.Random) -> Case:
+    """Return the case turned, mirrored and moved, exactly; tolerances stay small beside it."""
+    factor = complex(rng.randrange(-9, 10), rng.randrange(1, 10))
+    shift = complex(rng.randrange(-999, 999), rng.randrange(-999, 999))
+    image = similar(case.scene, Similarity(factor, shift, rng.random() < 0.5))
+    assert image is not None  # no bounds of the reference point
+    return replace(case, row=f"{case.row}, turned and moved", scene=image)
+
+
+def _on_lattice(rng: random.Random) -> Iterator[Case]:
+    """Yield a scene on a lattice, as it is and elsewhere."""
+    scene, reached = lattice_scene(rng)
+    truth = frozenset(FREE if reached else BLOCKED)
+    case = Case("boxes on a lattice", scene, truth, truth)
+    yield case
+    yield _elsewhere(case, rng)
 
 
 def _fallen(rng: random.Random) -> Iterator[Case]:
