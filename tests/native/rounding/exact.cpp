@@ -90,8 +90,8 @@ Box box_of(const planner::CellSpace& space, const planner::Extent& e) {
   // Twice the centre, so that nothing is halved: 61 bits.
   box.t = {Ball(d.low.x) + Ball(d.size.x) * fraction(2 * e.low[0] + e.size[0], 61),
            Ball(d.low.y) + Ball(d.size.y) * fraction(2 * e.low[1] + e.size[1], 61)};
-  box.width_x = Ball(d.size.x) * fraction(e.size[0], 61);
-  box.width_y = Ball(d.size.y) * fraction(e.size[1], 61);
+  box.g1 = {Ball(d.size.x) * fraction(e.size[0], 61), Ball()};
+  box.g2 = {Ball(), Ball(d.size.y) * fraction(e.size[1], 61)};
   if (space.rotation) {
     box.rotation = sine_cosine_of_turns((2 * e.low[2] + e.size[2]) & ((std::uint64_t{1} << 61U) - 1));
     box.h = pi() * fraction(e.size[2], 60);
@@ -109,6 +109,23 @@ Box point_of(const pdg::Frame& frame, const pdg::Vec2 t, const double theta) {
   box.rotation = sine_cosine(Ball(theta));
   box.half = {Ball(), Ball(1.0)};
   return box;
+}
+
+Part part_of(const pdg::Frame& frame, const planner::Configuration& from,
+             const planner::Configuration& to, const double begin, const double end) {
+  const Ball middle = (Ball(begin) + Ball(end)) * kHalf;
+  const Ball half = (Ball(end) - Ball(begin)) * kHalf;
+  const Vector start = framed(frame, {from.x, from.y});
+  const Vector way = framed(frame, {to.x, to.y}) - start;
+  const Ball turn = Ball(to.theta) - Ball(from.theta);
+  Part part;
+  part.turn = half * turn;
+  part.box.t = start + middle * way;
+  part.box.g1 = half * way;
+  part.box.rotation = sine_cosine(Ball(from.theta) + middle * turn);
+  part.box.h = absolute(part.turn);
+  part.box.half = sine_cosine(part.box.h);
+  return part;
 }
 
 Ball sinusoid_least(const Sinusoid& f, const Box& box) {
@@ -137,20 +154,23 @@ Terms towards(const Vector& axis, const Piece& a, const Box& box, const bool wit
 }
 
 Ball extent(const Vector& n, const Box& box) {
-  return absolute(n.x) * box.width_x + absolute(n.y) * box.width_y;
+  return absolute(dot(n, box.g1)) + absolute(dot(n, box.g2));
 }
 
-// R(delta) M . (b - t) is linear in t, so its extremes over the rectangle are at corners.
+bool zero(const Vector& g) {
+  return g.x.middle == 0 && g.y.middle == 0;
+}
+
+// R(delta) M . (b - t) is linear in t, so its extremes over the parallelogram are at corners.
 template <class Of>
 Ball over_corners(const Piece& b, const Vector& normal, const Box& box, const Of& of) {
-  const std::size_t x_count = box.width_x.middle == 0 ? 1 : 2;
-  const std::size_t y_count = box.width_y.middle == 0 ? 1 : 2;
+  const std::size_t count_1 = zero(box.g1) ? 1 : 2;
+  const std::size_t count_2 = zero(box.g2) ? 1 : 2;
   Ball out;
   std::vector<Sinusoid> all(b.vertices.size());
-  for (std::size_t i = 0; i < x_count * y_count; ++i) {
-    const Ball dx = i % x_count == 0 ? -box.width_x : box.width_x;
-    const Ball dy = i / x_count == 0 ? -box.width_y : box.width_y;
-    const Vector t = box.t + Vector{dx, dy};
+  for (std::size_t i = 0; i < count_1 * count_2; ++i) {
+    const Vector t = box.t + Ball(i % count_1 == 0 ? -1.0 : 1.0) * box.g1 +
+                     Ball(i / count_1 == 0 ? -1.0 : 1.0) * box.g2;
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = in_terms_of(normal, b.vertices[k] - t);
     out = i == 0 ? of(out, all, true) : of(out, all, false);
   }
@@ -210,6 +230,37 @@ Ball largest_value(const Piece& a, const Piece& b, const Axis& axis, const Box& 
   return over_corners(b, n, box, of) - robot_edge_offset(a, axis.edge);
 }
 
+Ball least_value(const Piece& a, const Piece& b, const Axis& axis, const Part& part) {
+  const Ball plain = least_value(a, b, axis, part.box);
+  const Ball& h = part.box.h;
+  if (!(Ball(1.5) - h).certainly_positive()) return plain;
+  const Vector& g = part.box.g1;
+  const bool obstacle = axis.owner == pdg::EdgeOwner::kObstacle;
+  const Vector n = obstacle ? b.normals[axis.edge] : rotated(part.box.rotation, a.normals[axis.edge]);
+  const Piece& others = obstacle ? a : b;
+  Ball lowest;
+  for (std::size_t k = 0; k < others.vertices.size(); ++k) {
+    const Vector p = obstacle ? rotated(part.box.rotation, others.vertices[k])
+                              : others.vertices[k] - part.box.t;
+    const Ball v = dot(n, p);
+    const Ball w = obstacle ? dot(n, perpendicular(p)) : dot(perpendicular(n), p);
+    const Ball slope = (obstacle ? dot(n, g) : -dot(n, g)) + w * part.turn;
+    Ball rest = absolute(v) * h * h / Ball(2.0) + absolute(w) * h * h * h / Ball(6.0);
+    if (!obstacle) rest = rest + h * length(g);
+    const Ball here = v - absolute(slope) - rest;
+    lowest = k == 0 ? here : least(lowest, here);
+  }
+  const Ball shift = obstacle ? dot(n, part.box.t - b.vertices[axis.edge])
+                              : -robot_edge_offset(a, axis.edge);
+  return greatest(plain, lowest + shift);
+}
+
+bool apart(const Piece& a, const Piece& b, const Part& part) {
+  for (const Axis& axis : axes_of(a, b))
+    if (least_value(a, b, axis, part).certainly_not_negative()) return true;
+  return false;
+}
+
 bool apart(const Piece& a, const Piece& b, const Box& box) {
   for (const Axis& axis : axes_of(a, b))
     if (least_value(a, b, axis, box).certainly_not_negative()) return true;
@@ -257,8 +308,8 @@ Ball circle_distance(const Piece& a, const Piece& b, const Box& box) {
   const auto [a_centre, a_radius] = circle(a);
   const auto [b_centre, b_radius] = circle(b);
   const Vector d = box.t + rotated(box.rotation, a_centre) - b_centre;
-  const Ball dx = greatest(absolute(d.x) - box.width_x, Ball());
-  const Ball dy = greatest(absolute(d.y) - box.width_y, Ball());
+  const Ball dx = greatest(absolute(d.x) - absolute(box.g1.x) - absolute(box.g2.x), Ball());
+  const Ball dy = greatest(absolute(d.y) - absolute(box.g1.y) - absolute(box.g2.y), Ball());
   return square_root(dx * dx + dy * dy) - length(a_centre) * box.h - a_radius - b_radius;
 }
 
@@ -266,8 +317,8 @@ Ball box_distance(const Ball& robot_reach, const Vector& low, const Vector& high
   const auto beyond = [](const Ball& lo, const Ball& hi, const Ball& t, const Ball& width) {
     return greatest(greatest(lo - t, t - hi) - width, Ball());
   };
-  const Ball dx = beyond(low.x, high.x, box.t.x, box.width_x);
-  const Ball dy = beyond(low.y, high.y, box.t.y, box.width_y);
+  const Ball dx = beyond(low.x, high.x, box.t.x, absolute(box.g1.x) + absolute(box.g2.x));
+  const Ball dy = beyond(low.y, high.y, box.t.y, absolute(box.g1.y) + absolute(box.g2.y));
   return square_root(dx * dx + dy * dy) - robot_reach;
 }
 

@@ -9,6 +9,7 @@
 #include "pdg/native/convex_piece.hpp"
 #include "pdg/native/separation.hpp"
 #include "planar_planner/native/cell.hpp"
+#include "planar_planner/native/scene.hpp"
 
 namespace exact {
 
@@ -27,10 +28,11 @@ inline pdg::Frame robot_frame(const pdg::Frame& frame) {
   return {{}, frame.exponent};
 }
 
-// Translations t + (+-width_x, +-width_y), rotations by `rotation` turned further by at most h.
+// Translations t + s1 g1 + s2 g2 with |s1|, |s2| <= 1, rotations by `rotation` turned further by at
+// most h.
 struct Box {
   Vector t;
-  Ball width_x, width_y;
+  Vector g1, g2;
   SineCosine rotation;
   Ball h;
   SineCosine half;  // of h, at most pi
@@ -41,6 +43,14 @@ Box box_of(const planner::CellSpace& space, const planner::Extent& extent);
 // One configuration of the user.
 Box point_of(const pdg::Frame& frame, pdg::Vec2 t, double theta);
 
+// A part of a straight motion: t + s g1, turned further by s turn, |s| <= 1.
+struct Part {
+  Box box;  // uncoupled
+  Ball turn;
+};
+Part part_of(const pdg::Frame& frame, const planner::Configuration& from,
+             const planner::Configuration& to, double begin, double end);
+
 // A separating-axis function: an edge of the piece of the robot or of the obstacle.
 struct Axis {
   pdg::EdgeOwner owner;
@@ -50,9 +60,13 @@ std::vector<Axis> axes_of(const Piece& a, const Piece& b);
 // Its least and its largest value over the box: attained, not only bounds.
 Ball least_value(const Piece& a, const Piece& b, const Axis& axis, const Box& box);
 Ball largest_value(const Piece& a, const Piece& b, const Axis& axis, const Box& box);
+// A lower bound over a part of a motion: the uncoupled one, or the expansion to first order about
+// the middle with its remainders (docs/method.md, "Segments with coupled motion"), for small turns.
+Ball least_value(const Piece& a, const Piece& b, const Axis& axis, const Part& part);
 
 // Some axis separates (touching allowed) in every configuration, beyond doubt.
 bool apart(const Piece& a, const Piece& b, const Box& box);
+bool apart(const Piece& a, const Piece& b, const Part& part);
 // The interiors meet in every configuration, beyond doubt.
 bool overlap(const Piece& a, const Piece& b, const Box& box);
 // Least over the configurations of the box of the depth by which the pieces overlap, from below:

@@ -15,14 +15,6 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-bool strictly_convex(const ConvexPolygon& p) {
-  if (p.size() < 3) return false;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for (std::size_t j = 2; j < p.size(); ++j)
-      if (pdg::orient2d(p[i], p[(i + 1) % p.size()], p[(i + j) % p.size()]) <= 0) return false;
-  return true;
-}
-
 ConvexPolygon ellipse(Random& random, const int count, const double aspect) {
   ConvexPolygon out;
   const double phase = random.between(0.0, kTurn);
@@ -85,6 +77,14 @@ Vec2 contact(const PairCase& c) {
 }
 
 }  // namespace
+
+bool strictly_convex(const ConvexPolygon& p) {
+  if (p.size() < 3) return false;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t j = 2; j < p.size(); ++j)
+      if (pdg::orient2d(p[i], p[(i + 1) % p.size()], p[(i + j) % p.size()]) <= 0) return false;
+  return true;
+}
 
 double Random::magnitude(const double low, const double high) {
   return std::exp(between(std::log(low), std::log(high)));

@@ -34,6 +34,9 @@ class Random {
 // x moved by `steps` units in its last place.
 double nudged(double x, int steps);
 
+// Exactly.
+bool strictly_convex(const ConvexPolygon& p);
+
 enum class Shape : std::uint8_t {
   kRound,        // vertices near an ellipse
   kSliver,       // a triangle or quadrilateral 1e-12 or so as thick as it is long

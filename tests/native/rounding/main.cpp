@@ -19,6 +19,8 @@ using Family = std::vector<Tally> (*)(const Request&);
 
 constexpr std::pair<const char*, Family> kFamilies[] = {
     {"pairs", rounding::pairs},
+    {"segments", rounding::segments},
+    {"bounds", rounding::bounds},
 };
 
 struct Options {

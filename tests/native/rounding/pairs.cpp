@@ -2,27 +2,14 @@
 #include "exact.hpp"
 #include "families.hpp"
 #include "generate.hpp"
-#include "pdg/native/separation.hpp"
+#include "pdg/native/tolerances.hpp"
+#include "posed.hpp"
 
 namespace rounding {
 
 namespace {
 
 using pdg::Constraint;
-
-struct Posed {
-  Posed(const pdg::ConvexPiece& a, const pdg::Rotation r) : piece(a) {
-    for (const pdg::Edge& edge : a.edges) {
-      vertices.push_back(pdg::rotate(r, edge.vertex));
-      normals.push_back(pdg::rotate(r, edge.normal));
-    }
-    inner = pdg::rotate(r, a.inner_centre);
-  }
-  [[nodiscard]] pdg::PosedPiece view() const { return {&piece, vertices, normals, inner}; }
-  const pdg::ConvexPiece& piece;
-  std::vector<Vec2> vertices, normals;
-  Vec2 inner;
-};
 
 struct Judged {
   pdg::PairLabel label = pdg::PairLabel::kUndecided;
@@ -71,7 +58,7 @@ class Chain {
     const Posed posed(a_, planner::rotation_of(case_.space, judged_.extent));
     const double error = pdg::separation_error(a_, b_, m);
     // Against the bound as it stands, also where the margins have been taken out.
-    const double bound = 64.0 * pdg::kUnitRoundoff * (a_.reach + b_.reach + m.reach);
+    const double bound = kSeparationUnits * pdg::kUnitRoundoff * (a_.reach + b_.reach + m.reach);
     const auto any = random_.pick(0, static_cast<int>(judged_.active.size()) - 1);
     Constraint c = judged_.active[static_cast<std::size_t>(any)];
     const pdg::Range range = pdg::constraint_range(posed.view(), b_, m, error, c);
