@@ -1,10 +1,10 @@
 """The checker of certificates: docs/certificate.md as code. It shares nothing with the planner.
 
-Whatever it accepts is an inequality between integers, and `demand` is its only way to reject.
-Lengths are integers in units of 2^-UNIT, which hold the doubles of scenes and the corners of boxes
-exactly; cosines and sines are integers in units of 2^-BITS, off by at most one. For one vertex and
-one edge, at translation t and angle θ, the separating-axis function is C + D cos θ + E sin θ, and
-linear in t.
+Whatever it accepts is an inequality between integers, and `demand` is its only way to reject (but
+`find`, for names of nothing). Lengths are integers in units of 2^-UNIT, which hold the doubles of
+scenes and the corners of boxes exactly; cosines and sines are integers in units of 2^-BITS, off by
+at most one. For one vertex and one edge, at translation t and angle θ, the separating-axis function
+is C + D cos θ + E sin θ, and linear in t.
 """
 
 from __future__ import annotations
@@ -32,31 +32,31 @@ UNIT, BITS, WORK = 320, 120, 220  # bits after the binary point: lengths; cosine
 LEVELS = 60  # deepest dyadic box
 HALVINGS = 60  # of a box's angles, in search of one vertex for each part
 MAX_BYTES, MAX_VALUES = 2**28, 2**24  # of a certificate, uncompressed: they bound time and memory
-ONE = 1 << UNIT
+ONE, HALF_TURN = 1 << UNIT, Fraction(1, 2)
 NORMALS = {"x_min": (ONE, 0), "x_max": (-ONE, 0), "y_min": (0, ONE), "y_max": (0, -ONE)}  # of walls
 
 Vector = tuple[int, int]
 Rotation = tuple[int, int]  # cos, sin
 Region = tuple[int, int, int, int]  # xmin, ymin, xmax, ymax
-Pose = tuple[Vector, float]  # translation, theta
 Polygon = list[list[Vector]]  # rings with the interior on the left: outer one, holes
+Pose = tuple[Vector, float]  # translation, theta
 Pair = tuple[int, int, int, int]  # p, i, q, j
 Box = tuple[tuple[int, int], tuple[int, int], tuple[int, int]]  # level and index on each axis
+Domain = tuple["Case", tuple[int, int], tuple[int, int]]  # with lower left corner and size
 Waypoint = tuple[int, int, float, int]  # x, y, theta, turns
 Source = str | os.PathLike[str] | Mapping[str, Any]
 
 
-class _Located(Exception):  # noqa: N818
-    def __init__(self, place: str, problem: str) -> None:
-        super().__init__(f"{place}: {problem}" if place else problem)
-        self.place, self.problem = place, problem
+class _Finding(Exception):  # noqa: N818
+    def __str__(self) -> str:
+        return ": ".join(filter(None, self.args))  # place, problem
 
 
-class CertificateError(_Located, ValueError):
-    """A certificate that cannot be read: where, and what is expected there."""
+class CertificateError(_Finding, ValueError):
+    """A certificate that cannot be read: the place, and what is expected there."""
 
 
-class Rejected(_Located):
+class Rejected(_Finding):
     """The first claim found that is false, or that the certificate does not prove."""
 
 
@@ -86,18 +86,14 @@ def verify_certificate(
     problem = make_problem(scene if isinstance(scene, Scene) else load_scene(scene))
     content = read_certificate(certificate)
     case = make_case(problem, content)
-    tolerance = content.get("contact_tolerance", 0.0)
+    tolerance, proof = content.get("contact_tolerance", 0.0), content.get("claim", "path")
     demand(content["scene"] == fingerprint(problem), "scene", "is not the one certified")
     demand(0 <= tolerance <= contact_tolerance, "contact_tolerance", "is more than allowed")
     check_pieces(case, content)
-    proof = content.get("claim", "path")
-    check = {
-        "path": check_path,
-        "separation": check_separation,
-        "disc": check_disc,
-        "end": check_end,
-    }
-    return Report(content["verdict"], proof, tolerance, check[proof](case, content))
+    claims = {"path": check_path, "separation": check_separation, "disc": check_disc}.get(
+        proof, check_end
+    )(case, content)
+    return Report(content["verdict"], proof, tolerance, claims)
 
 
 # --- Reading: the form of a certificate, nothing of its truth ---
@@ -126,8 +122,8 @@ def _integer(low: int, high: int) -> Any:
 
 def _number(limit: int, bits: int, convert: Callable[[float], Any] = float) -> Any:
     def fits(v: Any) -> bool:
-        finite = type(v) in (int, float) and abs(v) <= limit
-        return finite and float(v).as_integer_ratio()[1] <= 1 << bits
+        bounded = type(v) in (int, float) and abs(v) <= limit
+        return bounded and float(v).as_integer_ratio()[1] <= 1 << bits
 
     return _leaf("a number within limits", fits, lambda v: convert(float(v)))
 
@@ -137,9 +133,7 @@ def _one_of(*names: str) -> Any:
 
 
 def _any_of(*specs: dict[str, Any]) -> Any:
-    """Read an object as the spec that its fields fit best."""
-
-    def read(value: Any) -> Any:
+    def read(value: Any) -> Any:  # as the spec that its fields fit best
         names = value.keys() if isinstance(value, dict) else set()
         return _read(value, min(specs, key=lambda spec: len(spec.keys() ^ names)))
 
@@ -147,32 +141,31 @@ def _any_of(*specs: dict[str, Any]) -> Any:
 
 
 def _read(value: Any, spec: Any) -> Any:
-    """Return `value` read as a leaf, {field: spec}, {"*": spec}, [spec of all] or (specs)."""
+    """Return `value` as a leaf, a dict {name: spec} or {"*": spec}, a list [spec] or (spec, …)."""
     if callable(spec):
         return spec(value)
-    _leaf(
-        "an object" if isinstance(spec, dict) else "a list",
-        lambda v: isinstance(v, dict if isinstance(spec, dict) else list),
-    )(value)
-    if isinstance(spec, list):
-        return [_inner(i, value[i], spec[0]) for i in range(len(value))]
-    if isinstance(spec, tuple):
-        _leaf(f"a list of {len(spec)}", lambda v: len(v) == len(spec))(value)
-        return tuple([_inner(i, value[i], spec[i]) for i in range(len(spec))])
-    if "*" in spec:
-        spec = dict.fromkeys(value, spec["*"])
-    for name in sorted(spec.keys() ^ value.keys()):
+    kind: Any = dict if isinstance(spec, dict) else list
+    size: Any = len(spec) if isinstance(spec, tuple) else None
+    if not isinstance(value, kind) or size not in (None, len(value)):
+        what = f"{'an object' if kind is dict else 'a list'}{f' of {size}' if size else ''}"
+        raise CertificateError("", f"must be {what} (got {reprlib.repr(value)[:60]})")
+    if kind is list:
+        read = [_inner(i, each, spec[i if size else 0]) for i, each in enumerate(value)]
+        return tuple(read) if size else read
+    names = value.keys() if "*" in spec else spec.keys()
+    for name in sorted(names ^ value.keys()):
         raise CertificateError(name[:60], "is missing" if name in spec else "is an unknown field")
-    return {name: _inner(name, value[name], spec[name]) for name in spec}
+    return {name: _inner(name, value[name], spec.get(name, spec.get("*"))) for name in names}
 
 
 def _inner(name: str | int, value: Any, spec: Any) -> Any:
     try:
         return _read(value, spec)
     except CertificateError as error:
+        place, problem = error.args
         own = f"[{name}]" if isinstance(name, int) else name[:60]
-        dot = "." if error.place and error.place[0] != "[" else ""
-        raise CertificateError(own + dot + error.place, error.problem) from None
+        dot = "." if place and place[0] != "[" else ""
+        raise CertificateError(own + dot + place, problem) from None
 
 
 _INDEX, _SPAN = _integer(0, 2**31), (_integer(0, LEVELS), _integer(0, 2**LEVELS))
@@ -253,7 +246,7 @@ def _cross(a: Vector, b: Vector) -> int:
 
 
 def _sides(ring: Sequence[Any]) -> Iterator[tuple[Any, Any]]:
-    return zip(ring, [*ring[1:], ring[0]], strict=True)
+    return zip(ring, [*ring[1:], *ring[:1]], strict=True)
 
 
 def _region(points: Iterable[Vector]) -> Region:
@@ -265,20 +258,15 @@ def _apart(a: Region, b: Region) -> bool:  # in their interiors
     return a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
 
 
-def _pi() -> int:
-    """Return π in 2^-WORK, off by at most one: 16 atan(1/5) − 4 atan(1/239)."""
-
-    def atan_inverse(n: int) -> int:  # in 2^-(WORK + 20), off by less than 2^10
-        total, power, k = 0, (1 << (WORK + 20)) // n, 1
-        while power:
-            total += power // k if k % 4 == 1 else -(power // k)
-            power, k = power // (n * n), k + 2
-        return total
-
-    return (16 * atan_inverse(5) - 4 * atan_inverse(239)) >> 20
+def _atan_inverse(n: int) -> int:  # atan(1/n) in 2^-(WORK + 20), off by less than 2^10
+    total, power, k = 0, (1 << (WORK + 20)) // n, 1
+    while power:
+        total += power // k if k % 4 == 1 else -(power // k)
+        power, k = power // (n * n), k + 2
+    return total
 
 
-PI = _pi()
+PI = (16 * _atan_inverse(5) - 4 * _atan_inverse(239)) >> 20  # in 2^-WORK, off by at most one
 
 
 def fixed(radians: Fraction, turns: Fraction) -> int:
@@ -300,25 +288,22 @@ def rotation(radians: Fraction, turns: Fraction) -> Rotation:
     return ((c, s), (-s, c), (-c, -s), (s, -c))[quarters % 4]
 
 
-NONE = Fraction()
+class Extent(NamedTuple):
+    """A box, face or point: the corners of its translations; its angles, radians + 2π turns."""
 
-
-class Arc(NamedTuple):
-    """The angles radians + 2π turns, from the first turns to the last."""
-
-    first: Fraction
+    corners: list[Vector]
+    first: Fraction  # turns
     last: Fraction
-    radians: Fraction = NONE
+    radians: Fraction = Fraction()
 
-    def ends(self, mirrored: bool = False) -> list[Rotation]:
-        """Return the rotations at the ends, of one angle only one; `mirrored`: of the negatives."""
-        ends = [rotation(self.radians, turns) for turns in sorted({self.first, self.last})]
-        return [(c, -s) for c, s in reversed(ends)] if mirrored else ends
+    def ends(self) -> list[Rotation]:
+        """Return the rotations at both ends, of a single angle only one."""
+        return [rotation(self.radians, turns) for turns in sorted({self.first, self.last})]
 
-    def halves(self) -> list[Arc]:
-        """Return the two halves."""
+    def halves(self) -> list[Extent]:
+        """Return the halves of the angles."""
         middle = (self.first + self.last) / 2
-        return [Arc(self.first, middle), Arc(middle, self.last)]
+        return [self._replace(last=middle), self._replace(first=middle)]
 
 
 # --- The problem in integers, and its pieces ---
@@ -331,11 +316,15 @@ class Edge(NamedTuple):
     normal: Vector  # outward
     obstacle: bool
 
+    def value(self, t: Vector) -> int:
+        """Return n · (t − base)."""
+        return _dot(self.normal, _minus(t, self.base))
+
     def term(self, v: Vector, t: Vector) -> tuple[int, int, int]:
         """Return D, E, C of its separating-axis function for one vertex, at translation t."""
         n = self.normal
-        if self.obstacle:  # n · (R v + t − base)
-            return _dot(n, v), _cross(v, n), _dot(n, _minus(t, self.base))
+        if self.obstacle:  # n · R v + n · (t − base)
+            return _dot(n, v), _cross(v, n), self.value(t)
         u = _minus(v, t)  # R n · (v − t) − n · base
         return _dot(n, u), _cross(n, u), -_dot(n, self.base)
 
@@ -348,18 +337,22 @@ class Piece(NamedTuple):
     region: Region  # bounding box
 
 
-def make_piece(vertices: list[Vector], obstacle: bool) -> Piece:
-    """Return a piece with its edges."""
-    edges = [Edge(a, (b[1] - a[1], a[0] - b[0]), obstacle) for a, b in _sides(vertices)]
-    return Piece(vertices, edges, _region(vertices))
+def find(place: str, things: Any, *names: Any) -> Any:
+    """Return what a certificate names."""
+    try:
+        for name in names:
+            things = things[name]
+    except LookupError:
+        raise Rejected(place, f"names what is not there: {names}") from None
+    return things
 
 
 @dataclass
 class Case:
     """The scene in integers, and the certificate's pieces."""
 
-    robot: list[Polygon]
-    obstacles: list[Polygon]  # with what lies outside a polygonal workspace
+    robot: dict[str, Polygon]  # by number
+    obstacles: dict[str, Polygon]  # with what lies outside a polygonal workspace
     walls: dict[str, Edge]
     bounds: dict[str, Edge]  # of the reference point
     turning: bool
@@ -367,36 +360,20 @@ class Case:
     goal: Pose
     robot_pieces: dict[str, list[Piece]] = field(default_factory=dict)
     obstacle_pieces: dict[str, list[Piece]] = field(default_factory=dict)
-    hints: dict[Any, int] = field(default_factory=lambda: defaultdict(int))  # vertices to try first
 
-    def pair(self, place: str, pair: Pair) -> tuple[Piece, Piece]:
+    def pair(self, place: str, pair: Pair) -> dict[str, Piece]:
         """Return the pieces that a pair names."""
         p, i, q, j = pair
-        robot, obstacle = self.robot_pieces.get(str(p), []), self.obstacle_pieces.get(str(q), [])
-        demand(i < len(robot) and j < len(obstacle), place, "names no listed pieces")
-        return robot[i], obstacle[j]
-
-    def wall(self, place: str, name: str) -> Edge:
-        """Return a wall."""
-        demand(name in self.walls, place, "names a wall, and there is no workspace")
-        return self.walls[name]
+        robot, obstacle = (
+            find(place, self.robot_pieces, str(p), i),
+            find(place, self.obstacle_pieces, str(q), j),
+        )
+        return {"robot": robot, "obstacle": obstacle}
 
     @cached_property
-    def hull(self) -> list[Vector]:
-        """Corners of the robot's convex hull, counter-clockwise."""
-
-        def lower(points: list[Vector]) -> list[Vector]:
-            side: list[Vector] = []
-            for v in points:
-                while (
-                    len(side) > 1 and _cross(_minus(side[-1], side[-2]), _minus(v, side[-1])) <= 0
-                ):
-                    side.pop()
-                side.append(v)
-            return side[:-1]
-
-        points = sorted({v for polygon in self.robot for v in polygon[0]})
-        return lower(points) + lower(points[::-1])
+    def outline(self) -> list[Vector]:
+        """Vertices of the robot; its holes do not count."""
+        return [v for polygon in self.robot.values() for v in polygon[0]]
 
 
 def make_case(problem: Problem, content: Mapping[str, Any]) -> Case:
@@ -420,7 +397,11 @@ def make_case(problem: Problem, content: Mapping[str, Any]) -> Case:
             wall: Edge(b, n, True) for b, (wall, n) in zip(bases, NORMALS.items(), strict=False)
         }
 
-    walls, obstacles = box(problem.workspace_box), list(polygons(problem.obstacles))
+    def numbered(shapes: Iterable[Polygon]) -> dict[str, Polygon]:
+        return {str(i): polygon for i, polygon in enumerate(shapes)}
+
+    walls, bounds = map(box, (problem.workspace_box, problem.reference_bounds))
+    obstacles = list(polygons(problem.obstacles))
     for outer, *holes in polygons(problem.workspace):
         walls = _region(outer)
         xmin, ymin, xmax, ymax = outside = content.get("outside", walls)
@@ -429,34 +410,33 @@ def make_case(problem: Problem, content: Mapping[str, Any]) -> Case:
         demand(larger, "outside", "does not hold the workspace in its interior")
         obstacles += [[around, outer[::-1]], *([hole[::-1]] for hole in holes)]
     start, goal = (((units(x), units(y)), theta) for x, y, theta in (problem.start, problem.goal))
-    robot, bounds = list(polygons(problem.robot)), edges(box(problem.reference_bounds))
-    return Case(robot, obstacles, edges(walls), bounds, problem.rotation, start, goal)
+    robot, around_all = numbered(polygons(problem.robot)), numbered(obstacles)
+    return Case(robot, around_all, edges(walls), edges(bounds), problem.rotation, start, goal)
 
 
 def check_pieces(case: Case, content: Mapping[str, Any]) -> None:
     """Check that the pieces of a polygon are convex and partition it."""
-    for owner, polygons, table in (
-        ("robot", case.robot, case.robot_pieces),
-        ("obstacle", case.obstacles, case.obstacle_pieces),
+    for name, polygons, table in (
+        ("robot_pieces", case.robot, case.robot_pieces),
+        ("obstacle_pieces", case.obstacles, case.obstacle_pieces),
     ):
-        numbers = {str(i): polygon for i, polygon in enumerate(polygons)}
-        for number, pieces in content[f"{owner}_pieces"].items():
-            place = f"{owner}_pieces.{number}"
-            demand(number in numbers, place, "is of no polygon of the scene")
-            for i, piece in enumerate(pieces):
-                check_convex(f"{place}[{i}]", piece)
-            check_partition(place, numbers[number], pieces)
-            table[number] = [make_piece(piece, owner == "obstacle") for piece in pieces]
+        for number, pieces in content[name].items():
+            check_partition(f"{name}.{number}", find(name, polygons, number), pieces)
+            table[number] = [
+                convex_piece(f"{name}.{number}[{i}]", piece, name == "obstacle_pieces")
+                for i, piece in enumerate(pieces)
+            ]
 
 
-def check_convex(place: str, vertices: list[Vector]) -> None:
-    """Check that a polygon turns left only, and once round."""
-    demand(len(vertices) > 2, place, "has fewer than three vertices")
+def convex_piece(place: str, vertices: list[Vector], obstacle: bool) -> Piece:
+    """Return a piece, having checked that it turns left only, and once round."""
     sides = [_minus(b, a) for a, b in _sides(vertices)]
     upper = [y > 0 or (y == 0 and x > 0) for x, y in sides]
     left = all(_cross(a, b) > 0 or (_cross(a, b) == 0 < _dot(a, b)) for a, b in _sides(sides))
-    demand(left, place, "is not convex, counter-clockwise")
+    demand(left and len(sides) > 2, place, "is not convex, counter-clockwise")
     demand(sum(b and not a for a, b in _sides(upper)) == 1, place, "winds round more than once")
+    edges = [Edge(a, (dy, -dx), obstacle) for a, (dx, dy) in zip(vertices, sides, strict=True)]
+    return Piece(vertices, edges, _region(vertices))
 
 
 def check_partition(place: str, polygon: Polygon, pieces: list[list[Vector]]) -> None:
@@ -469,7 +449,7 @@ def check_partition(place: str, polygon: Polygon, pieces: list[list[Vector]]) ->
     for sign, rings in ((1, pieces), (-1, polygon)):
         for a, b in chain.from_iterable(map(_sides, rings)):
             dx, dy = _minus(b, a)
-            scale = math.gcd(dx, dy) * (1 if (dx, dy) > (0, 0) else -1)
+            scale = math.gcd(dx, dy) * (1 if (dx, dy) > (0, 0) else -1) or 1
             line = dx // scale, dy // scale, _cross((dx // scale, dy // scale), a)
             jumps[line, a] += sign
             jumps[line, b] -= sign
@@ -477,13 +457,6 @@ def check_partition(place: str, polygon: Polygon, pieces: list[list[Vector]]) ->
 
 
 # --- Configurations that are not free ---
-
-
-class Extent(NamedTuple):
-    """The configurations of a box, face or point: corners of the translations, and the angles."""
-
-    corners: list[Vector]
-    angles: Arc
 
 
 def negative(D: int, E: int, C: int, ends: Sequence[Rotation]) -> bool:
@@ -501,103 +474,72 @@ def negative(D: int, E: int, C: int, ends: Sequence[Rotation]) -> bool:
     return E * c0 - D * s0 + error <= 0 or E * c1 - D * s1 >= error
 
 
-def negative_edge(
-    case: Case, edge: Edge, vertices: list[Vector], at: Extent, halvings: int = HALVINGS
-) -> bool:
-    """Prove an edge's function negative: on each part of the angles for some one vertex.
-
-    The vertex that served last is tried, then the best at the ends, then the halves of the angles.
-    """
-    corners, angles = at
+def negative_edge(edge: Edge, vertices: list[Vector], at: Extent, halvings: int = HALVINGS) -> bool:
+    """Prove an edge's function negative: on each part of the angles for some one vertex."""
+    ends, corners = at.ends(), at.corners
     if edge.obstacle:  # the translation only adds to the term
         corners = [max(corners, key=lambda t: _dot(edge.normal, t))]
-    key, ends = (id(edge), id(vertices)), angles.ends()
+    if at.last - at.first <= HALF_TURN and any(
+        all(negative(*edge.term(v, t), ends) for t in corners) for v in vertices
+    ):
+        return True
+    if len(ends) == 1 or halvings == 0:
+        return False
+    return all(negative_edge(edge, vertices, half, halvings - 1) for half in at.halves())
 
-    def best_at_ends(index: int) -> int:
-        D, E, _ = edge.term(vertices[index], corners[0])
-        return max(D * c + E * s for c, s in ends)
 
-    for attempt in range(2 if angles.last - angles.first <= Fraction(1, 2) else 0):
-        if attempt:
-            case.hints[key] = min(range(len(vertices)), key=best_at_ends)
-        v = vertices[case.hints[key]]
-        if all(negative(*edge.term(v, t), ends) for t in corners):
-            return True
-    return (
-        len(ends) == 2
-        and halvings > 0
-        and all(
-            negative_edge(case, edge, vertices, Extent(corners, half), halvings - 1)
-            for half in angles.halves()
-        )
-    )
+def check_full(case: Case, place: str, claim: Mapping[str, Any], at: Extent) -> None:
+    """Check that no configuration of a box, face or point is free."""
+    if "joint" in claim:
+        check_joint(case, place, claim["joint"], at)
+    elif "pair" in claim:
+        check_overlap(case, place, claim["pair"], at)
+    else:
+        beyond = negative_edge(find(place, case.walls, claim["wall"]), case.outline, at)
+        demand(beyond, place, "the robot may be inside the wall")
 
 
 def check_overlap(
     case: Case, place: str, pair: Pair, at: Extent, but: tuple[str, int] | None = None
 ) -> None:
     """Check FULL by a pair: every separating-axis function is negative, `but` for one edge's."""
-    robot, obstacle = case.pair(place, pair)
-    for owner, mine, other in (("obstacle", obstacle, robot), ("robot", robot, obstacle)):
-        for i, edge in enumerate(mine.edges):
-            negated = (owner, i) == but or negative_edge(case, edge, other.vertices, at)
+    pieces = case.pair(place, pair)
+    for owner, other in (("obstacle", "robot"), ("robot", "obstacle")):
+        for i, edge in enumerate(pieces[owner].edges):
+            negated = (owner, i) == but or negative_edge(edge, pieces[other].vertices, at)
             demand(negated, f"{place}, edge {i} of the {owner}", "may separate the pair")
 
 
-def check_beyond(case: Case, place: str, wall: str, at: Extent) -> None:
-    """Check FULL by a wall: some vertex of the robot is beyond it."""
-    beyond = negative_edge(case, case.wall(place, wall), case.hull, at)
-    demand(beyond, place, "the robot may be inside the wall")
-
-
 def check_joint(case: Case, place: str, terms: list[Any], at: Extent) -> None:
-    """Check FULL jointly: only the terms' edges may separate, and their sum says they do not."""
+    """Check FULL jointly: the weighted sum of terms, none negative where all is free, is negative.
+
+    That none is holds because, of each pair, only the edge of its terms may separate.
+    """
     edges: dict[Pair, tuple[str, int]] = {}
-    for term in (term for term in terms if "pair" in term):
-        edge = edges.setdefault(term["pair"], (term["owner"], term["edge"]))
-        demand(edge == (term["owner"], term["edge"]), place, "has two edges of a pair")
-    for pair, edge in edges.items():
-        check_overlap(case, place, pair, at, but=edge)
-    check_sum(case, place, terms, at)
-
-
-def check_sum(case: Case, place: str, terms: list[Any], at: Extent) -> None:
-    """Check that the weighted sum of terms, none negative where all is free, is negative."""
-    parts, weights = [], [Fraction(term["weight"]) for term in terms]
-    demand(min(weights, default=0) >= 0, place, "has a negative weight")
+    parts: list[tuple[Edge, Vector]] = []
     for term in terms:
         if "wall" in term:
-            own = any(term["vertex"] in ring for polygon in case.robot for ring in polygon)
+            own = any(term["vertex"] in ring for polygon in case.robot.values() for ring in polygon)
             demand(own, place, "has a vertex that is not the robot's")
-            parts.append((case.wall(place, term["wall"]), term["vertex"]))
+            parts.append((find(place, case.walls, term["wall"]), term["vertex"]))
         else:
-            robot, obstacle = case.pair(place, term["pair"])
-            mine, other = (robot, obstacle) if term["owner"] == "robot" else (obstacle, robot)
-            exist = term["edge"] < len(mine.edges) and term["vertex"] < len(other.vertices)
-            demand(exist, place, "has no such edge or vertex")
-            parts.append((mine.edges[term["edge"]], other.vertices[term["vertex"]]))
+            pieces, owner = case.pair(place, term["pair"]), term["owner"]
+            only = edges.setdefault(term["pair"], (owner, term["edge"]))
+            demand(only == (owner, term["edge"]), place, "has two edges of a pair")
+            other = pieces["robot" if owner == "obstacle" else "obstacle"]
+            edge = find(place, pieces[owner].edges, term["edge"])
+            parts.append((edge, find(place, other.vertices, term["vertex"])))
+    for pair, only in edges.items():
+        check_overlap(case, place, pair, at, but=only)
+    weights = [Fraction(term["weight"]) for term in terms]
+    demand(min(weights, default=0) >= 0, place, "has a negative weight")
     scale = math.lcm(*(weight.denominator for weight in weights))
-    wide = at.angles.last - at.angles.first > Fraction(1, 2)
-    for t in at.corners:
+    for t, part in product(at.corners, at.halves() if at.last - at.first > HALF_TURN else [at]):
         sums = [0, 0, 0]
         for weight, (edge, v) in zip(weights, parts, strict=True):
             sums = [a + int(weight * scale) * b for a, b in zip(sums, edge.term(v, t), strict=True)]
-        for part in at.angles.halves() if wide else [at.angles]:
-            demand(
-                negative(sums[0], sums[1], sums[2], part.ends()),
-                place,
-                "the weighted sum may be 0 or more",
-            )
-
-
-def check_full(case: Case, place: str, claim: Mapping[str, Any], at: Extent) -> None:
-    """Check that no configuration of the extent is free."""
-    if "pair" in claim:
-        check_overlap(case, place, claim["pair"], at)
-    elif "wall" in claim:
-        check_beyond(case, place, claim["wall"], at)
-    else:
-        check_joint(case, place, claim["joint"], at)
+        below = negative(sums[0], sums[1], sums[2], part.ends())
+        demand(below, place, "the weighted sum may be 0 or more")
 
 
 # --- Verdict no_path ---
@@ -606,110 +548,101 @@ def check_full(case: Case, place: str, claim: Mapping[str, Any], at: Extent) -> 
 def check_separation(case: Case, content: Mapping[str, Any]) -> int:
     """Check that FULL boxes and faces separate the start from the goal."""
     low, size = ([m << (e + UNIT) for m, e in content["domain"][k]] for k in ("low", "size"))
+    domain: Domain = case, (low[0], low[1]), (size[0], size[1])
     inside, full, faces = content["start_side"], content["full"], content["full_faces"]
-    check_domain(case, low, size)
+    check_domain(domain)
+    check_ends(domain, inside)
     for i, box in enumerate(inside):
-        check_box(f"start_side[{i}]", case, box)
-    check_start(case, low, size, inside)
-    check_goal(case, low, size, inside)
+        extent(f"start_side[{i}]", domain, box)
     for name in ("full", "full_faces"):
         for i, claim in enumerate(content[name]):
-            place, axis = f"{name}[{i}]", claim.get("axis", -1)
-            check_box(place, case, claim["box"], axis)
-            check_full(case, place, claim, extent(case, low, size, claim["box"], axis))
+            at = extent(f"{name}[{i}]", domain, claim["box"], claim.get("axis", -1))
+            check_full(case, f"{name}[{i}]", claim, at)
     check_cover(inside, full, faces)
     return len(inside) + len(full) + len(faces)
 
 
-def check_domain(case: Case, low: list[int], size: list[int]) -> None:
-    """Check that beyond none of the domain's sides a configuration is free."""
-    pieces = list(chain.from_iterable(case.robot_pieces.values()))
-    ends = {"min": (low[0], low[1]), "max": (low[0] + size[0], low[1] + size[1])}
-    for side, n in NORMALS.items():
-        beyond, reach = (
-            _dot(n, _minus(box[side].base, ends[side[2:]])) // ONE if box else -1
-            for box in (case.bounds, case.walls)
-        )
-        holds = beyond >= 0 or (
-            side in case.walls
-            and (hull_near(case.hull, reach) if reach >= 0 else disc_in(pieces, reach**2))
-        )
-        demand(holds and min(size) > 0, "domain", "may have free configurations beyond it")
+def check_domain(domain: Domain) -> None:
+    """Check that at each side of the domain, and so beyond it, no configuration is free.
+
+    There the reference point is at or beyond its bounds, or some vertex is beyond the wall.
+    """
+    case, _, size = domain
+    demand(min(size) > 0, "domain", "has no extent")
+    for side, (axis, k) in {
+        "x_min": (0, 0),
+        "x_max": (0, 1),
+        "y_min": (1, 0),
+        "y_max": (1, 1),
+    }.items():
+        face: Any = tuple((0, k if a == axis else 0) for a in range(3))
+        at = extent("domain", domain, face, axis)
+        bound, wall = case.bounds.get(side), case.walls.get(side)
+        out = bound is not None and max(bound.value(t) for t in at.corners) <= 0
+        out = out or (wall is not None and negative_edge(wall, case.outline, at))
+        demand(out, "domain", "free configurations may lie beyond it")
 
 
-def hull_near(hull: list[Vector], reach: int) -> bool:
-    """Whether a convex polygon comes within reach of the origin."""
-    for a, b in _sides(hull):
-        d, across = _minus(b, a), _cross(a, b)  # across = |d| times the distance of the line
-        facing = 0 <= -_dot(a, d) <= _dot(d, d) and across**2 <= reach**2 * _dot(d, d)
-        if facing or _dot(a, a) <= reach**2:
-            return True
-    return all(_cross(a, b) >= 0 for a, b in _sides(hull))
-
-
-def disc_in(pieces: Iterable[Piece], squared: int) -> bool:
-    """Whether the disc of that squared radius about the origin lies in one of the pieces."""
-    return any(
-        all(_dot(n, a) >= 0 and _dot(n, a) ** 2 >= squared * _dot(n, n) for a, n, _ in piece.edges)
-        for piece in pieces
-    )
-
-
-def check_box(place: str, case: Case, box: Box, axis: int = -1) -> None:
-    """Check that a box or face lies in the domain, and has no angles if there is only one."""
+def extent(place: str, domain: Domain, box: Box, axis: int = -1) -> Extent:
+    """Return the configurations of a box, or of a face normal to `axis`, in the domain."""
+    case, low, size = domain
     inside = all(k + (a != axis) <= 1 << level for a, (level, k) in enumerate(box))
     demand(inside, place, "reaches beyond the domain")
-    demand(case.turning or (box[2] == (0, 0) and axis != 2), place, "turns the robot")
-
-
-def extent(case: Case, low: list[int], size: list[int], box: Box, axis: int) -> Extent:
-    """Return the configurations of a box or face."""
+    demand(case.turning or (box[2] == (0, 0) and axis != 2), place, "has angles in a fixed scene")
     ends = [(k,) if a == axis else (k, k + 1) for a, (_, k) in enumerate(box)]
     steps = [size[a] >> box[a][0] for a in (0, 1)]  # exact: the units are fine enough
     xs, ys = ([low[a] + steps[a] * k for k in ends[a]] for a in (0, 1))
-    turns = [Fraction(k, 1 << box[2][0]) for k in ends[2]]
-    angles = Arc(turns[0], turns[-1]) if case.turning else Arc(NONE, NONE, Fraction(case.start[1]))
-    return Extent(list(product(xs, ys)), angles)
+    corners = list(product(xs, ys))
+    first, *last = (Fraction(k, 1 << box[2][0]) for k in ends[2])
+    if not case.turning:
+        return Extent(corners, first, first, Fraction(case.start[1]))
+    return Extent(corners, first, last[0] if last else first)
 
 
-def check_start(case: Case, low: list[int], size: list[int], inside: list[Box]) -> None:
-    """Check that the start lies in a box of its side."""
-    at = located(case, low, size, case.start)
-    held = any(
-        all(
-            any(k <= first * 2**level and last * 2**level <= k + 1 for first, last in spans)
-            for (level, k), spans in zip(box, at, strict=True)
+def check_ends(domain: Domain, inside: list[Box]) -> None:
+    """Check that the start lies in a box of its side, the goal in none.
+
+    Each coordinate, as a part of the domain, lies in one of some intervals: an angle in one of
+    three, a turn apart. No angle but 0 is on a box's boundary, so they need not be exact.
+    """
+    case, low, size = domain
+
+    def intervals(pose: Pose) -> list[list[tuple[Fraction, Fraction]]]:
+        parts = [Fraction(pose[0][a] - low[a], size[a]) for a in (0, 1)]
+        turns = (
+            Fraction(fixed(Fraction(pose[1]), Fraction()), 2 * PI) % 1
+            if case.turning
+            else Fraction()
         )
-        for box in inside
-    )
-    demand(held, "start_side", "does not hold the start")
+        error = Fraction(1 if turns else 0, 1 << 180)
+        angles = [(turns + n - error, turns + n + error) for n in (-1, 0, 1)]
+        return [*([(part, part)] for part in parts), angles]
 
-
-def check_goal(case: Case, low: list[int], size: list[int], inside: list[Box]) -> None:
-    """Check that the goal lies in no box of the start's side."""
-    at = located(case, low, size, case.goal)
+    start, goal, held = intervals(case.start), intervals(case.goal), False
     for i, box in enumerate(inside):
+        spans = [(Fraction(k, 1 << level), Fraction(k + 1, 1 << level)) for level, k in box]
+        held = held or all(
+            any(a <= first and last <= b for first, last in at)
+            for (a, b), at in zip(spans, start, strict=True)
+        )
         apart = any(
-            all(last * 2**level < k or k + 1 < first * 2**level for first, last in spans)
-            for (level, k), spans in zip(box, at, strict=True)
+            all(last < a or b < first for first, last in at)
+            for (a, b), at in zip(spans, goal, strict=True)
         )
         demand(apart, f"start_side[{i}]", "may hold the goal")
-
-
-def located(case: Case, low: list[int], size: list[int], pose: Pose) -> list[Any]:
-    """Return for each axis intervals that hold a configuration, as parts of the domain.
-
-    An angle may be in any of three, a turn apart. No angle but 0 is on the boundary of a box.
-    """
-    parts = [Fraction(pose[0][a] - low[a], size[a]) for a in (0, 1)]
-    turns = Fraction(fixed(Fraction(pose[1]), Fraction()), 2 * PI) % 1 if case.turning else 0
-    error = Fraction(1, 1 << 180) if turns else 0
-    angles = [(turns + n - error, turns + n + error) for n in (-1, 0, 1)]
-    return [[(part, part)] for part in parts] + [angles]
+    demand(held, "start_side", "does not hold the start")
 
 
 def check_cover(inside: list[Box], full: list[Any], faces: list[Any]) -> None:
     """Check that every face of the start's side bounds the domain or is covered from beyond."""
+
+    def faces_of(box: Box) -> Iterator[tuple[int, int, int, Region]]:
+        spans = [(k << (LEVELS - level), (k + 1) << (LEVELS - level)) for level, k in box]
+        for axis in range(3):
+            (u0, u1), (v0, v1) = spans[:axis] + spans[axis + 1 :]
+            for end, plane in enumerate(spans[axis]):  # turn 1 is turn 0
+                yield axis, end, plane % (1 << LEVELS) if axis == 2 else plane, (u0, v0, u1, v1)
+
     needs, covers = defaultdict(set), defaultdict(set)  # by axis, plane, end of the boxes in need
     for box in inside:
         for axis, end, plane, face in faces_of(box):
@@ -721,21 +654,12 @@ def check_cover(inside: list[Box], full: list[Any], faces: list[Any]) -> None:
         axis, _, plane, face = list(faces_of(claim["box"]))[2 * claim["axis"]]
         covers[axis, plane, 0].add(face)
         covers[axis, plane, 1].add(face)
-    for (axis, plane, end), rectangles in needs.items():
+    for (axis, plane, end), open_faces in needs.items():
         known = covers[axis, plane, end]
-        rest = rectangles - known if axis == 2 or 0 < plane < 1 << LEVELS else set()
+        rest = open_faces - known if axis == 2 or 0 < plane < 1 << LEVELS else set()
         cell = _region(chain.from_iterable((r[:2], r[2:]) for r in rest)) if rest else (0, 0, 0, 0)
         place = f"start_side, {('x', 'y', 'theta')[axis]} = {plane / 2**LEVELS!r}"
         demand(covered(rest, known, cell), place, "has a face that is neither shared nor FULL")
-
-
-def faces_of(box: Box) -> Iterator[tuple[int, int, int, Region]]:
-    """Yield axis, end (0 or 1), plane and rectangle of each face; turn 1 is turn 0."""
-    spans = [(k << (LEVELS - level), (k + 1) << (LEVELS - level)) for level, k in box]
-    for axis in range(3):
-        (u0, u1), (v0, v1) = spans[:axis] + spans[axis + 1 :]
-        for end, plane in enumerate(spans[axis]):
-            yield axis, end, plane % (1 << LEVELS) if axis == 2 else plane, (u0, v0, u1, v1)
 
 
 def covered(needs: Iterable[Region], covers: Iterable[Region], cell: Region) -> bool:
@@ -751,19 +675,22 @@ def covered(needs: Iterable[Region], covers: Iterable[Region], cell: Region) -> 
         for a in (0, 1)
     )  # not both empty: a cover meets the cell and does not hold it
     axis, cuts = (0, xs) if len(xs) > len(ys) else (1, ys)
-    lower, upper = list(cell), list(cell)
+    lower: Any = list(cell)
+    upper: Any = list(cell)
     lower[axis + 2] = upper[axis] = cuts[len(cuts) // 2]
-    return all(covered(needs, covers, tuple(part)) for part in (lower, upper))  # type: ignore[arg-type]
+    return all(covered(needs, covers, part) for part in (lower, upper))
 
 
 def check_disc(case: Case, content: Mapping[str, Any]) -> int:
     """Check that a disc inside the robot, in place of it, has no path."""
     disc, (p, i) = content["disc"], content["inside"]
-    check_convex("disc", disc)
-    piece = case.robot_pieces.get(str(p), [])[i : i + 1]
-    demand(disc_in(piece, max(_dot(v, v) for v in disc)), "disc", "is not inside that piece")
-    smaller = replace(case, robot=[[disc]], robot_pieces={"0": [make_piece(disc, obstacle=False)]})
-    smaller.turning, smaller.start, smaller.goal = False, (case.start[0], 0.0), (case.goal[0], 0.0)
+    farthest = max((_dot(v, v) for v in disc), default=0)
+    for base, n, _ in find("inside", case.robot_pieces, str(p), i).edges:
+        near = _dot(n, base) < 0 or _dot(n, base) ** 2 < farthest * _dot(n, n)
+        demand(not near, "disc", "is not inside that piece")
+    pieces = {"0": [convex_piece("disc", disc, obstacle=False)]}
+    smaller = replace(case, robot={"0": [disc]}, robot_pieces=pieces, turning=False)
+    smaller.start, smaller.goal = (case.start[0], 0.0), (case.goal[0], 0.0)
     return check_separation(smaller, content)
 
 
@@ -771,17 +698,16 @@ def check_end(case: Case, content: Mapping[str, Any]) -> int:
     """Check that the start or the goal is not free."""
     t, theta = case.start if content["end"] == "start" else case.goal
     if "reference_bounds" in content:
-        demand(
-            not in_bounds(case, t), "reference_bounds", "the reference point is not outside them"
-        )
+        demand(not in_bounds(case, t), "reference_bounds", "the reference point is not outside")
     else:
-        check_full(case, content["end"], content, Extent([t], Arc(NONE, NONE, Fraction(theta))))
+        at = Extent([t], Fraction(), Fraction(), Fraction(theta))
+        check_full(case, content["end"], content, at)
     return 1
 
 
 def in_bounds(case: Case, t: Vector) -> bool:
     """Whether the reference point is within its bounds."""
-    return all(_dot(edge.normal, _minus(t, edge.base)) >= 0 for edge in case.bounds.values())
+    return all(edge.value(t) >= 0 for edge in case.bounds.values())
 
 
 # --- Verdict path ---
@@ -800,56 +726,60 @@ class Motion(NamedTuple):
 def check_path(case: Case, content: Mapping[str, Any]) -> int:
     """Check that the waypoints lead from the start to the goal and all segments are free."""
     waypoints, segments = content["waypoints"], content["segments"]
-    demand(
-        len(waypoints) == len(segments) + 1 > 1, "segments", "are not one from waypoint to waypoint"
-    )
-    check_end_of_path("waypoints[0]", case.start, waypoints[0], content)
-    check_end_of_path("the last waypoint", case.goal, waypoints[-1], content)
+    follow = len(waypoints) == len(segments) + 1 > 1
+    demand(follow, "segments", "do not lead from waypoint to waypoint")
     demand(waypoints[0][3] == 0, "waypoints[0]", "has turns")
-    for i, (*t, theta, turns) in enumerate(waypoints):
-        demand(in_bounds(case, tuple(t)), f"waypoints[{i}]", "is outside reference_bounds")
-        still = (theta, turns) == (case.start[1], 0)
-        demand(case.turning or still, f"waypoints[{i}]", "turns the robot")
+    for k, (t, theta) in ((0, case.start), (-1, case.goal)):
+        way, tolerance = _minus(waypoints[k][:2], t), Fraction(content["contact_tolerance"])
+        demand(_dot(way, way) <= (tolerance * ONE) ** 2, f"waypoints[{k}]", "is elsewhere")
+        demand(waypoints[k][2] == theta, f"waypoints[{k}]", "has another theta")
+    for i, (x, y, theta, turns) in enumerate(waypoints):
+        demand(in_bounds(case, (x, y)), f"waypoints[{i}]", "is outside reference_bounds")
+        still = case.turning or (theta, turns) == (case.start[1], 0)
+        demand(still, f"waypoints[{i}]", "turns a robot that may not turn")
     for i, intervals in enumerate(segments):
-        check_chain(f"segments[{i}]", intervals)
+        ends = [0, *(interval["to"] for interval in intervals)]
+        chained = ends == [*(interval["from"] for interval in intervals), ONE]
+        demand(chained, f"segments[{i}]", "the intervals do not lead from 0 to 1")
         check_segment(case, f"segments[{i}]", waypoints[i : i + 2], intervals)
     return sum(len(interval["apart"]) for intervals in segments for interval in intervals)
 
 
-def check_end_of_path(
-    place: str, pose: Pose, waypoint: Waypoint, content: Mapping[str, Any]
-) -> None:
-    """Check that a waypoint is the start or goal, up to the tolerance stated."""
-    way, tolerance = _minus(waypoint[:2], pose[0]), Fraction(content["contact_tolerance"])
-    demand(waypoint[2] == pose[1], place, "has another theta than the scene")
-    demand(
-        _dot(way, way) <= (tolerance * ONE) ** 2, place, "is too far from where the scene has it"
-    )
-
-
-def check_chain(place: str, intervals: list[Any]) -> None:
-    """Check that the intervals of a segment follow one another from 0 to 1."""
-    ends = [0, *(interval["to"] for interval in intervals)]
-    chained = [*(interval["from"] for interval in intervals), ONE] == ends
-    demand(chained, place, "the intervals do not follow one another from 0 to 1")
-    demand(all(a < b for a, b in pairwise(ends)), place, "an interval does not go on")
-
-
 def check_segment(case: Case, place: str, ends: list[Waypoint], intervals: list[Any]) -> None:
     """Check that on every interval the robot is inside the walls and apart from every obstacle."""
-    everywhere = swept(case.hull, make_motion(ends, 0, ONE))
-    regions = ((str(q), _region(polygon[0])) for q, polygon in enumerate(case.obstacles))
-    near = [(q, region) for q, region in regions if not _apart(everywhere, region)]
+    everywhere = swept(case.outline, make_motion(ends, 0, ONE))
+    near = {q: _region(polygon[0]) for q, polygon in case.obstacles.items()}
+    near = {q: region for q, region in near.items() if not _apart(everywhere, region)}
     for i, interval in enumerate(intervals):
         motion = make_motion(ends, interval["from"], interval["to"])
-        inside = all(
-            not_negative(edge, v, motion) for edge in case.walls.values() for v in case.hull
-        )
-        demand(inside, f"{place}[{i}]", "the robot may be beyond a wall")
-        for k, (*pair, owner, edge) in enumerate(interval["apart"]):
-            check_edge(case, f"{place}[{i}].apart[{k}]", tuple(pair), (owner, edge), motion)
-        listed = {tuple(map(str, claim[:4])) for claim in interval["apart"]}
-        check_all_apart(case, f"{place}[{i}]", motion, near, listed)
+        for wall, edge in case.walls.items():
+            inside = all(not_negative(edge, v, motion) for v in case.outline)
+            demand(inside, f"{place}[{i}], {wall}", "the robot may be beyond the wall")
+        for k, (*pair, owner, number) in enumerate(interval["apart"]):
+            pieces, at = case.pair(place, tuple(pair)), f"{place}[{i}].apart[{k}]"
+            edge = find(at, pieces[owner].edges, number)
+            vertices = pieces["robot" if owner == "obstacle" else "obstacle"].vertices
+            separates = all(not_negative(edge, v, motion) for v in vertices)
+            demand(separates, at, "the edge may not separate the pair")
+        check_all_apart(case, f"{place}[{i}]", motion, near, {c[:4] for c in interval["apart"]})
+
+
+def check_all_apart(
+    case: Case, place: str, motion: Motion, near: dict[str, Region], listed: set[Pair]
+) -> None:
+    """Check that polygons are apart by bounding boxes, or their pieces by those or as listed."""
+    for p, polygon in case.robot.items():
+        body = swept(polygon[0], motion)
+        close = [q for q, region in near.items() if not _apart(body, region)]
+        known = not close or (p in case.robot_pieces and case.obstacle_pieces.keys() >= set(close))
+        demand(known, f"{place}, robot polygon {p}", "pieces of close polygons are not listed")
+        boxes = [swept(piece.vertices, motion) for piece in case.robot_pieces[p]] if close else []
+        for q in close:
+            for (i, box), (j, piece) in product(
+                enumerate(boxes), enumerate(case.obstacle_pieces[q])
+            ):
+                apart = _apart(box, piece.region) or (int(p), i, int(q), j) in listed
+                demand(apart, f"{place}, pair {[p, i, q, j]}", "is not shown to be apart")
 
 
 def make_motion(ends: list[Waypoint], first: int, last: int) -> Motion:
@@ -896,30 +826,3 @@ def not_negative(edge: Edge, vertex: Vector, motion: Motion) -> bool:
     spare += (abs(w) + error) * most**3 // (6 << 3 * BITS)
     spare += error * ((most >> BITS) + 5) + 9  # v, w, ω and the divisions are rounded
     return (C << BITS) + v - abs(slope + (w * omega >> BITS)) >= spare
-
-
-def check_edge(case: Case, place: str, pair: Pair, edge: tuple[str, int], motion: Motion) -> None:
-    """Check that an edge separates a pair."""
-    robot, obstacle = case.pair(place, pair)
-    mine, other = (robot, obstacle) if edge[0] == "robot" else (obstacle, robot)
-    demand(edge[1] < len(mine.edges), place, "names no edge of the piece")
-    separates = all(not_negative(mine.edges[edge[1]], v, motion) for v in other.vertices)
-    demand(separates, place, "the edge may not separate the pair")
-
-
-def check_all_apart(
-    case: Case, place: str, motion: Motion, near: list[Any], listed: set[Any]
-) -> None:
-    """Check that polygons are apart by bounding boxes, or their pieces by those or as listed."""
-    for p, polygon in enumerate(case.robot):
-        body = swept(polygon[0], motion)
-        close = [q for q, region in near if not _apart(body, region)]
-        pieces = case.robot_pieces.get(str(p), [])
-        demand(not close or len(pieces) > 0, f"{place}, robot {p}", "has no pieces listed")
-        boxes = [swept(piece.vertices, motion) for piece in pieces] if close else []
-        for q in close:
-            obstacle = case.obstacle_pieces.get(q, [])
-            demand(len(obstacle) > 0, f"{place}, obstacle {q}", "has no pieces listed")
-            for (i, box), (j, piece) in product(enumerate(boxes), enumerate(obstacle)):
-                apart = _apart(box, piece.region) or (str(p), str(i), q, str(j)) in listed
-                demand(apart, f"{place}, pair {[p, i, q, j]}", "is not shown to be apart")

@@ -49,7 +49,7 @@ def _finding(scene: Any, certificate: str, tolerance: float) -> tuple[int, dict[
     try:
         report = verify_certificate(scene, certificate, tolerance)._asdict()
     except Rejected as found:
-        status, content = 1, {"claim": one_line(found.place), "problem": one_line(found.problem)}
+        status, content = 1, {"claim": one_line(found.args[0]), "problem": one_line(found.args[1])}
     except CertificateError as found:
         status, content = 2, {"claim": "", "problem": one_line(str(found))}
     except MemoryError:
