@@ -50,11 +50,11 @@ inline constexpr double kAlignmentSlack = 32.0 * kUnitRoundoff;
 
 // Relative padding that turns a computed radius, extent or bound of motion (a few roundings of
 // nonnegative terms, at most 16 u) into an upper bound.
-inline constexpr double kRadiusPadding = 1.0 + 32.0 * kUnitRoundoff;
+inline constexpr double kRadiusPadding = 1.0 + 32.0 * PDG_MARGIN_SCALE * kUnitRoundoff;
 
 // Rounding of a vertex on its way into the frame of evaluation (1 u of its magnitude) and of the
 // sums that widen bounds by it, in units of u times the largest coordinate.
-inline constexpr double kVertexUnits = 4.0;
+inline constexpr double kVertexUnits = 4.0 * PDG_MARGIN_SCALE;
 
 // Radius of a disc about the robot's origin inside a piece, from its edges' offsets: 6 u of the
 // largest |a|, and the subtraction.
