@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from planar_planner.options import Options
+from planar_planner.samplers import DEFAULT_SAMPLERS
 
 PLOT_SUFFIXES = (".png", ".svg", ".pdf")
 
@@ -55,6 +56,7 @@ def make_parser() -> argparse.ArgumentParser:
     _add_verify(commands)
     _add_list(commands)
     _add_show(commands)
+    _add_compare(commands)
     return parser
 
 
@@ -104,6 +106,37 @@ def _add_show(commands: Any) -> None:
     _add_scene(show)
     _add_plot(show, "draw the scene")
     show.set_defaults(run=_run_show)
+
+
+def _add_compare(commands: Any) -> None:
+    compare = _add_command(commands, "compare", "compare with OMPL's planners in one run")
+    compare.add_argument(
+        "scenes", metavar="SCENE", nargs="+", help="built-in names (see list) or files"
+    )
+    compare.add_argument(
+        "--planners",
+        metavar="A,B,…",
+        default=",".join(DEFAULT_SAMPLERS),
+        help="OMPL's planners by name (default: %(default)s)",
+    )
+    for name, metavar, kind, default, what in (
+        ("runs", "N", int, 11, "runs of each planner"),
+        ("limit", "SECONDS", float, 10.0, "time of a run"),
+        ("resolution", "FRACTION", float, 0.002, "of OMPL's motion validation"),
+        ("seed", "N", int, 0, "run i (from 0) of a planner has the seed N + i + 1"),
+    ):
+        compare.add_argument(
+            f"--{name}",
+            metavar=metavar,
+            type=kind,
+            default=default,
+            help=f"{what} (default: %(default)s)",
+        )
+    compare.add_argument(
+        "--json", metavar="FILE", help="write all runs as JSON; - for standard output"
+    )
+    _add_plot(compare, "draw times to the first solution")
+    compare.set_defaults(run=_run_compare)
 
 
 def _add_command(commands: Any, name: str, summary: str) -> argparse.ArgumentParser:
@@ -257,5 +290,11 @@ def _run_list(_: argparse.Namespace) -> int:
 
 def _run_show(arguments: argparse.Namespace) -> int:
     from planar_planner.commands.show import run
+
+    return run(arguments)
+
+
+def _run_compare(arguments: argparse.Namespace) -> int:
+    from planar_planner.commands.compare import run
 
     return run(arguments)

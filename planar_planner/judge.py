@@ -1,0 +1,80 @@
+"""The core as a judge of what others found: configurations and whole paths on a scene."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from planar_planner._core import Core, StateCheck
+from planar_planner.problem import Problem
+
+Soundness = Literal["sound", "collides", "unknown"]
+
+SAMPLES = 2000
+"""Configurations looked at on each segment for a collision to show, once a path is not certified.
+They only tell ``collides`` from ``unknown``; no claim that a path is free rests on them."""
+
+
+class Judge:
+    """Says what is free on a scene. Not thread-safe.
+
+    Parameters
+    ----------
+    problem : Problem
+        The scene; its start and goal play no part.
+
+    Attributes
+    ----------
+    core : Core
+        Fresh: it has no cells yet.
+    check : StateCheck
+        ``check.is_free(x, y, theta)`` is True only if the robot is free there, in exact arithmetic
+        for these very doubles; nearer to contact than the rounding error it is False.
+    """
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        self.core = make_core(problem)
+        self.check = StateCheck(self.core)
+
+    def path(self, waypoints: NDArray[np.float64]) -> Soundness:
+        """Judge a path, linear in (x, y, theta) between waypoints, along its whole length.
+
+        Parameters
+        ----------
+        waypoints : NDArray, shape (N, 3)
+            N >= 1; theta in radians and unwrapped.
+
+        Returns
+        -------
+        str
+            ``sound``: certified free, continuously. ``collides``: a configuration on it overlaps an
+            obstacle or leaves the workspace. ``unknown``: neither could be shown, as for a path
+            that touches.
+        """
+        verdict = self.core.check_path(waypoints)
+        if verdict["valid"]:
+            return "sound"
+        first = max(int(verdict["segment"]), 0)
+        for begin, end in zip(waypoints[first:-1], waypoints[first + 1 :], strict=True):
+            places = begin + np.linspace(0.0, 1.0, SAMPLES)[:, None] * (end - begin)
+            doubtful = places[~self.check.are_free(places)]
+            for x, y, theta in doubtful.tolist():
+                if self.core.placement((x, y, theta))["state"] in ("colliding", "outside"):
+                    return "collides"
+        return "unknown"
+
+
+def make_core(problem: Problem) -> Core:
+    """Return a fresh core for a problem."""
+    workspace = problem.workspace
+    return Core(
+        problem.robot.arrays,
+        problem.obstacles.arrays,
+        problem.workspace_box,
+        None if workspace is None else workspace.arrays,
+        problem.reference_bounds,
+        problem.rotation,
+    )
