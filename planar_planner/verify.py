@@ -172,7 +172,7 @@ _INDEX, _SPAN = _integer(0, 2**31), (_integer(0, LEVELS), _integer(0, 2**LEVELS)
 _LENGTH, _ANGLE = _number(2**100, UNIT - LEVELS, units), _number(2**20, UNIT)
 _FINITE, _TEXT = _number(2**1000, 1100), _leaf("a string", lambda v: isinstance(v, str))
 _POINT, _PAIR, _BOX = (_LENGTH,) * 2, (_INDEX,) * 4, (_SPAN,) * 3
-_DYADIC = (_integer(-(2**200), 2**200), _integer(LEVELS - UNIT, 100))
+_DYADICS = [((_integer(low, 2**200), _integer(LEVELS - UNIT, 100)),) * 2 for low in (-(2**200), 1)]
 _OWNER, _WALL, _NO_PATH = _one_of("obstacle", "robot"), _one_of(*NORMALS), _one_of("no_path")
 _TERM = {"pair": _PAIR, "owner": _OWNER, "edge": _INDEX, "vertex": _INDEX, "weight": _FINITE}
 _TERMS = [_any_of(_TERM, {"wall": _WALL, "vertex": _POINT, "weight": _FINITE})]
@@ -186,7 +186,7 @@ _PATH = {
 _SEPARATION = {
     "verdict": _NO_PATH,
     "claim": _one_of("separation"),
-    "domain": {"low": (_DYADIC, _DYADIC), "size": (_DYADIC, _DYADIC)},
+    "domain": {"low": _DYADICS[0], "size": _DYADICS[1]},
     "start_side": [_BOX],
     "full": [_any_of(*({"box": _BOX} | claim for claim in _CLAIMS))],
     "full_faces": [_any_of(*({"box": _BOX, "axis": _integer(0, 2)} | c for c in _CLAIMS))],
@@ -433,8 +433,8 @@ def convex_piece(place: str, vertices: list[Vector], obstacle: bool) -> Piece:
     sides = [_minus(b, a) for a, b in _sides(vertices)]
     upper = [y > 0 or (y == 0 and x > 0) for x, y in sides]
     left = all(_cross(a, b) > 0 or (_cross(a, b) == 0 < _dot(a, b)) for a, b in _sides(sides))
-    demand(left and len(sides) > 2, place, "is not convex, counter-clockwise")
-    demand(sum(b and not a for a, b in _sides(upper)) == 1, place, "winds round more than once")
+    once = sum(b and not a for a, b in _sides(upper)) == 1
+    demand(left and once, place, "is not convex, counter-clockwise")
     edges = [Edge(a, (dy, -dx), obstacle) for a, (dx, dy) in zip(vertices, sides, strict=True)]
     return Piece(vertices, edges, _region(vertices))
 
@@ -567,8 +567,7 @@ def check_domain(domain: Domain) -> None:
 
     There the reference point is at or beyond its bounds, or some vertex is beyond the wall.
     """
-    case, _, size = domain
-    demand(min(size) > 0, "domain", "has no extent")
+    case = domain[0]
     for side, (axis, k) in {
         "x_min": (0, 0),
         "x_max": (0, 1),
@@ -771,13 +770,12 @@ def check_all_apart(
     for p, polygon in case.robot.items():
         body = swept(polygon[0], motion)
         close = [q for q, region in near.items() if not _apart(body, region)]
-        known = not close or (p in case.robot_pieces and case.obstacle_pieces.keys() >= set(close))
-        demand(known, f"{place}, robot polygon {p}", "pieces of close polygons are not listed")
-        boxes = [swept(piece.vertices, motion) for piece in case.robot_pieces[p]] if close else []
+        robot = case.robot_pieces.get(p, []) if close else []
+        boxes = [swept(piece.vertices, motion) for piece in robot]
         for q in close:
-            for (i, box), (j, piece) in product(
-                enumerate(boxes), enumerate(case.obstacle_pieces[q])
-            ):
+            obstacle = case.obstacle_pieces.get(q, [])
+            demand(bool(robot and obstacle), f"{place}, polygons {p} and {q}", "have no pieces")
+            for (i, box), (j, piece) in product(enumerate(boxes), enumerate(obstacle)):
                 apart = _apart(box, piece.region) or (int(p), i, int(q), j) in listed
                 demand(apart, f"{place}, pair {[p, i, q, j]}", "is not shown to be apart")
 
