@@ -81,8 +81,7 @@ planner::Extent any_extent(Random& random, const PairCase& c, const bool adversa
 std::vector<Tally> bounds(const Request& request) {
   Random random(request.seed);
   Tally circles{.family = "circles FREE"};
-  // Their boxes are widened by more than the sums can err, so that a margin adds nothing but order.
-  Tally boxes{.family = "tree box FREE", .leans_on_margin = false};
+  Tally boxes{.family = "tree box FREE"};
   while (circles.inputs < request.inputs) {
     PairCase c = pair_case(random, request.adversarial);
     if (request.adversarial && random.one_in(2)) shrink(c);

@@ -21,6 +21,7 @@ constexpr std::pair<const char*, Family> kFamilies[] = {
     {"pairs", rounding::pairs},
     {"segments", rounding::segments},
     {"bounds", rounding::bounds},
+    {"scenes", rounding::scenes},
 };
 
 struct Options {
