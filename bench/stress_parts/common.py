@@ -7,7 +7,9 @@ that had to be rebuilt. The scene that failed is written to a file, so that it c
 
 from __future__ import annotations
 
+import faulthandler
 import json
+import sys
 import time
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
@@ -23,7 +25,10 @@ Query = Callable[[Options, bool], Result]
 Solver = Callable[[Mapping[str, Any]], Query]
 
 LIMITS = Options(max_cells=200_000, timeout=20.0)
-OVERTIME = 5.0  # seconds past a query's time limit after which it counts as hanging
+OVERTIME = (
+    30.0  # seconds past a query's time limit after which it counts as late; machines are busy
+)
+HANGING = 120.0  # seconds past it after which the whole run is ended, with where it hangs
 REFUSED = "refused"  # stands for a verdict: the scene was rejected with a message
 CRASHED = "crashed"  # the same: an exception that no input may cause
 CASES_KEPT = 20  # failing scenes written to files, for each row: more say nothing new
@@ -137,6 +142,9 @@ def ask(
     new planner.
     """
     began = time.perf_counter()
+    faulthandler.dump_traceback_later(
+        options.timeout + HANGING, exit=True, file=sys.__stderr__ or sys.stderr
+    )
     try:
         result = (query or settings.solver(scene))(options, certified)
         answer = Answer(result.verdict, result.reason, result)
@@ -144,6 +152,8 @@ def ask(
         answer = Answer(REFUSED, str(error))
     except Exception as error:
         answer = Answer(CRASHED, f"{type(error).__name__}: {error}")
+    finally:
+        faulthandler.cancel_dump_traceback_later()
     seconds = time.perf_counter() - began
     row.tried += 1
     row.seconds += seconds

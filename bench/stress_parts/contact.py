@@ -34,7 +34,7 @@ FAR = 16.0
 OPEN = (-FAR, -FAR, FAR, FAR)
 DEPTHS = [0.7 * 10.0**-k for k in range(3, 16)]
 ULPS = (0, 1, 2, 5, 10, 100, 10**3, 10**4, 10**5, 10**7, 10**9)
-FULL, QUICK = 400, 15  # random falls of each kind
+FULL, QUICK = 400, 6  # random falls of each kind
 
 SQUARE = draw.box_ring(-0.5, -0.5, 0.5, 0.5)
 TRIANGLE = [(-0.5, -0.5), (0.75, -0.5), (0.25, 0.75)]

@@ -5,6 +5,8 @@ from __future__ import annotations
 import importlib
 import json
 import random
+import subprocess
+import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -187,6 +189,26 @@ def test_exit_status(
     shown = capsys.readouterr().out
     assert "seed:      7" in shown
     assert ("FAILED part, case: planted" in shown) == planted
+
+
+def test_hanging_ends_the_run() -> None:
+    code = (
+        "import sys, time\n"
+        f"sys.path += {[path for path in sys.path if path]!r}\n"
+        "from stress_parts import common\n"
+        "common.HANGING = 1.0 - common.LIMITS.timeout\n"
+        "hanging = common.Settings(solver=lambda scene: lambda *_: time.sleep(60.0))\n"
+        "common.ask(hanging, common.Row('part', 'case'), {})\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", code],
+        capture_output=True,
+        text=True,
+        timeout=50,
+        check=False,
+    )
+    assert done.returncode == 1
+    assert "Timeout" in done.stderr
 
 
 def test_seeds_say_all(tmp_path: Path) -> None:

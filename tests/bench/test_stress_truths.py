@@ -62,6 +62,40 @@ def test_longest_round_corner() -> None:
     assert abs(ladder**2 - 125) < Fraction(1, 10**45)  # (1^(2/3) + 8^(2/3))^(3/2) = 5^(3/2)
 
 
+@pytest.mark.parametrize("seed", range(30))
+def test_lattices_against_shapely(seed: int) -> None:
+    """Placements that shapely calls free by a margin, or overlapping by area, are so."""
+    import shapely
+    from stress_parts.lattice import SIDE, STEP, _free_cells
+
+    rng = random.Random(seed)
+    robot = [(0, 0, 2, 1), (0, 1, 1, 2)]
+    places = [(rng.randrange(8), rng.randrange(8)) for _ in range(3)]
+    obstacles = [(x, y, x + 2, y + 1) for x, y in places]
+    free = _free_cells(robot, obstacles)
+    world = shapely.box(0.0, 0.0, SIDE * STEP, SIDE * STEP)
+    solid = shapely.union_all([shapely.box(*(STEP * v for v in box)) for box in obstacles])
+    body = shapely.union_all([shapely.box(*(STEP * v for v in box)) for box in robot])
+    for x in range(-4, 2 * SIDE + 4):
+        for y in range(-4, 2 * SIDE + 4):
+            placed = shapely.affinity.translate(body, 0.5 * STEP * x, 0.5 * STEP * y)
+            overlap = placed.intersection(solid).area + placed.difference(world).area
+            assert ((x, y) in free) == (overlap == 0.0), (x, y)
+
+
+def test_lattices_connect_through_contact() -> None:
+    """A unit box passes gates and passages of just its size, and no corner that closes them."""
+    from stress_parts.lattice import _free_cells, _reached
+
+    for obstacles, passes in (
+        ([(0, 4, 3, 5), (4, 4, 8, 5)], True),  # a gate of just its width
+        ([(0, 4, 4, 5), (4, 3, 8, 4)], False),  # corner to corner
+        ([(0, 4, 4, 5), (4, 2, 8, 3)], True),  # a passage of just its height
+    ):
+        free = _free_cells([(0, 0, 1, 1)], obstacles)
+        assert ((0, 14) in _reached((0, 0), free)) == passes
+
+
 def test_families_have_both_sides() -> None:
     from stress_parts.families import families
 
