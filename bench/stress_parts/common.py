@@ -25,9 +25,7 @@ Query = Callable[[Options, bool], Result]
 Solver = Callable[[Mapping[str, Any]], Query]
 
 LIMITS = Options(max_cells=200_000, timeout=20.0)
-OVERTIME = (
-    30.0  # seconds past a query's time limit after which it counts as late; machines are busy
-)
+OVERTIME = 30.0  # seconds past a time limit after which a query is late; machines are busy
 HANGING = 120.0  # seconds past it after which the whole run is ended, with where it hangs
 REFUSED = "refused"  # stands for a verdict: the scene was rejected with a message
 CRASHED = "crashed"  # the same: an exception that no input may cause
