@@ -1,6 +1,8 @@
 // Whole scenes: labels of leaves with lists handed down from the root, STAR, joint FULL, blocked
 // faces and connectors.
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "claims.hpp"
 #include "families.hpp"
@@ -13,27 +15,74 @@ namespace {
 using planner::CellId;
 using planner::Label;
 
-// Splits MIXED leaves, mostly among the latest, or always the one that holds one point.
-void grow(Random& random, planner::Subdivision& subdivision, const int rounds) {
-  std::array<std::uint64_t, 3> point{};
-  for (std::uint64_t& x : point) x = random.bits() >> 4U;
-  if (!subdivision.space().rotation) point[planner::kTheta] = 0;
-  const bool deep = random.one_in(3);
+using Point = std::array<std::uint64_t, 3>;
+
+bool free_at(World& world, const Point& p) {
+  const planner::Extent here{p, {0, 0, 0}};
+  planner::ConstraintList root, rest;
+  world.labeller.root_list(root);
+  const planner::LabelResult result =
+      world.labeller.label(planner::motion_of(world.space, here),
+                           world.labeller.posed(planner::rotation_of(world.space, here)),
+                           planner::view(root), rest);
+  return result.label == Label::kFree;
+}
+
+// Between a free configuration and one that is not, down to neighbouring dyadic coordinates: there
+// the cells are decided, or not, by the last digits. At a random angle, or at a quarter turn.
+Point point_of_contact(Random& random, World& world) {
+  Point free{}, other{};
+  const auto any = [&](Point& p) {
+    p[planner::kX] = random.bits() >> 4U;
+    p[planner::kY] = random.bits() >> 4U;
+  };
+  const bool upright = random.one_in(2);
+  const std::uint64_t angle =
+      upright ? planner::kUnit / 4 * (random.bits() % 4) : random.bits() >> 4U;
+  free[planner::kTheta] = other[planner::kTheta] = world.space.rotation ? angle : 0;
+  for (int i = 0; i < 20 && !free_at(world, free); ++i) any(free);
+  for (int i = 0; i < 20 && free_at(world, other); ++i) any(other);
+  for (int i = 0; i < 60; ++i) {
+    Point middle = free;
+    for (const planner::Axis axis : {planner::kX, planner::kY})
+      middle[axis] = free[axis] / 2 + other[axis] / 2;
+    (free_at(world, middle) ? free : other) = middle;
+  }
+  return free;
+}
+
+Point dyadic(const World& world, const planner::Configuration& q) {
+  const auto count = [](const double part) {
+    return static_cast<std::uint64_t>(std::clamp(part, 0.0, 1.0 - 0x1p-53) * 0x1p60);
+  };
+  const Vec2 t = planner::to_planner(world.problem, {q.x, q.y}) - world.space.domain.low;
+  const double turns = q.theta / (2.0 * std::numbers::pi);
+  return {count(t.x / world.space.domain.size.x), count(t.y / world.space.domain.size.y),
+          world.space.rotation ? count(turns - std::floor(turns)) : 0};
+}
+
+// Splits MIXED leaves, mostly among the latest; or MIXED and STAR ones, always that of one point.
+void grow(Random& random, World& world, const Stage& stage, planner::Subdivision& subdivision,
+          const int rounds) {
+  if (random.one_in(2)) {
+    const Point point = stage.critical && !random.one_in(4) ? dyadic(world, *stage.critical)
+                                                           : point_of_contact(random, world);
+    for (int round = 0; round < rounds; ++round) {
+      const CellId id = subdivision.locate(point);
+      if (!subdivision.divisible(id, 0.0)) return;
+      subdivision.split(id);
+    }
+    return;
+  }
   std::vector<CellId> mixed;
   for (int round = 0; round < rounds; ++round) {
     mixed.clear();
-    const auto divisible = [&](const CellId id) {
-      return subdivision.cell(id).label == Label::kMixed && subdivision.divisible(id, 0.0);
-    };
     for (CellId id = 0; id < subdivision.size(); ++id)
-      if (divisible(id)) mixed.push_back(id);
+      if (subdivision.cell(id).label == Label::kMixed && subdivision.divisible(id, 0.0))
+        mixed.push_back(id);
     if (mixed.empty()) return;
-    CellId next = mixed.back();
-    if (deep && divisible(subdivision.locate(point)))
-      next = subdivision.locate(point);
-    else if (random.one_in(3))
-      next = mixed[static_cast<std::size_t>(random.pick(0, static_cast<int>(mixed.size()) - 1))];
-    subdivision.split(next);
+    const auto any = static_cast<std::size_t>(random.pick(0, static_cast<int>(mixed.size()) - 1));
+    subdivision.split(random.one_in(3) ? mixed[any] : mixed.back());
   }
 }
 
@@ -96,9 +145,12 @@ std::vector<Tally> scenes(const Request& request) {
     return std::min({out.leaf.inputs, out.star.inputs, out.link.inputs}) >= request.inputs;
   };
   while (!enough()) {
-    World world(any_scene(random, request.adversarial), random.between(-10.0, 10.0));
+    const Stage stage = any_stage(random, request.adversarial);
+    const double theta =
+        stage.critical && random.one_in(2) ? stage.critical->theta : random.between(-10.0, 10.0);
+    World world(stage.scene, theta);
     planner::Subdivision subdivision(world.space, world.labeller, world.statistics);
-    grow(random, subdivision, random.pick(10, request.adversarial ? 150 : 80));
+    grow(random, world, stage, subdivision, random.pick(10, request.adversarial ? 200 : 80));
     out.star.inputs += world.statistics.star_tests;
     out.joint.inputs += world.statistics.star_tests + world.statistics.joint_cells;
     check_leaves(world, subdivision, out);

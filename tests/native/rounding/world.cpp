@@ -31,6 +31,7 @@ ConvexPolygon hull_of(std::vector<Vec2> points) {
 
 // Turned about the origin, scaled, moved.
 struct Placing {
+  double angle = 0.0;
   pdg::Rotation turn;
   double scale = 1.0;
   Vec2 origin;
@@ -58,23 +59,29 @@ double slight(Random& random) {
 }
 
 // A wall with a slot as wide as the robot, or nearly.
-void slot(Random& random, const Placing& placing, planner::Scene& scene) {
+void slot(Random& random, const Placing& placing, Stage& stage) {
   const double width = random.between(0.1, 0.6);
   const double half = 0.5 * width;
+  planner::Scene& scene = stage.scene;
   scene.robot.append(robot_rectangle(placing, random.between(0.6, 1.5),
                                      width * (1.0 + slight(random)), {0.0, 0.0}));
   scene.obstacles.append(rectangle(placing, {-0.5, half}, {0.5, 2.0}));
   scene.obstacles.append(rectangle(placing, {-0.5, -2.0}, {0.5, -half}));
   scene.box = planner::Rectangle{placing.place({-2.0, -2.0}), placing.place({2.0, 2.0})};
+  stage.critical = {placing.origin.x, placing.origin.y, -placing.angle};
 }
 
 // Round a corner with a robot of nearly the greatest length that fits.
-void corner(Random& random, const Placing& placing, planner::Scene& scene) {
+void corner(Random& random, const Placing& placing, Stage& stage) {
   const double width = random.between(0.05, 0.3);
   const double length = 2.0 * (std::numbers::sqrt2 - width) * (1.0 + slight(random));
+  planner::Scene& scene = stage.scene;
   scene.robot.append(robot_rectangle(placing, length, width, {0.0, 0.0}));
   scene.obstacles.append(rectangle(placing, {1.0, 1.0}, {4.0, 4.0}));
   scene.box = planner::Rectangle{placing.place({0.0, 0.0}), placing.place({4.0, 4.0})};
+  const double middle = 1.0 - 0.5 * width / std::numbers::sqrt2;
+  const Vec2 t = placing.place({middle, middle});
+  stage.critical = {t.x, t.y, -std::numbers::pi / 4 - placing.angle};
 }
 
 void shapes(Random& random, const Placing& placing, const bool adversarial,
@@ -134,25 +141,25 @@ const exact::Piece& World::obstacle(const std::uint32_t tree_piece) const {
   return obstacles[polygon][tree_piece - first];
 }
 
-planner::Scene any_scene(Random& random, const bool adversarial) {
+Stage any_stage(Random& random, const bool adversarial) {
   Placing placing;
   if (random.one_in(3)) {
-    const double angle = random.one_in(2) ? std::numbers::pi / 4 : random.between(0.0, 6.3);
-    placing.turn = {std::cos(angle), std::sin(angle)};
+    placing.angle = random.one_in(2) ? std::numbers::pi / 4 : random.between(0.0, 6.0);
+    placing.turn = {std::cos(placing.angle), std::sin(placing.angle)};
   }
   if (adversarial && random.one_in(2)) placing.scale = random.magnitude(1e-9, 1e9);
   const double far = adversarial && random.one_in(3) ? random.magnitude(1.0, 1e9) : 0.0;
   placing.origin = placing.scale * far * Vec2{random.between(-1.0, 1.0), random.between(-1.0, 1.0)};
-  planner::Scene scene;
+  Stage stage;
   const int kind = random.pick(0, adversarial ? 3 : 5);
   if (kind == 0)
-    slot(random, placing, scene);
+    slot(random, placing, stage);
   else if (kind == 1)
-    corner(random, placing, scene);
+    corner(random, placing, stage);
   else
-    shapes(random, placing, adversarial, scene);
-  scene.rotation = !random.one_in(8);
-  return scene;
+    shapes(random, placing, adversarial, stage.scene);
+  stage.scene.rotation = kind == 1 || !random.one_in(8);
+  return stage;
 }
 
 }  // namespace rounding

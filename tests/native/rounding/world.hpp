@@ -1,6 +1,7 @@
 // A whole scene, as the planner sees it and as it is.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "exact.hpp"
@@ -33,8 +34,13 @@ class World {
   [[nodiscard]] std::size_t body_pieces() const { return robot.size() - 1; }
 };
 
+struct Stage {
+  planner::Scene scene;
+  std::optional<planner::Configuration> critical;  // where the robot is held from several sides
+};
+
 // Random shapes; a robot in a slot, or in a corner, of nearly its own size; all at any scale and
 // far from the origin if adversarial.
-planner::Scene any_scene(Random& random, bool adversarial);
+Stage any_stage(Random& random, bool adversarial);
 
 }  // namespace rounding
