@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
 import numpy as np
@@ -65,6 +66,19 @@ class Judge:
                 if self.core.placement((x, y, theta))["state"] in ("colliding", "outside"):
                     return "collides"
         return "unknown"
+
+
+def unwrapped(waypoints: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return a path of OMPL's as we read paths: theta runs on instead of jumping by whole turns.
+
+    OMPL turns the shorter way between two yaws, so each theta is brought to within half a turn of
+    the one before.
+    """
+    points = np.array(waypoints, dtype=np.float64).reshape(-1, 3)
+    for i in range(1, len(points)):
+        turns = round((points[i - 1, 2] - points[i, 2]) / math.tau)
+        points[i, 2] += turns * math.tau
+    return points
 
 
 def make_core(problem: Problem) -> Core:

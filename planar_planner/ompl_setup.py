@@ -5,7 +5,6 @@ Importing this module imports OMPL. Public names: `planar_planner.ompl`.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -15,7 +14,7 @@ from numpy.typing import NDArray
 
 from planar_planner._core import StateCheck
 from planar_planner.fields import Configuration
-from planar_planner.judge import Judge
+from planar_planner.judge import Judge, unwrapped
 from planar_planner.planner import SceneLike
 from planar_planner.problem import Problem, make_problem
 from planar_planner.samplers import check_samplers, import_ompl
@@ -136,14 +135,6 @@ def configuration_of(state: Any, theta: float, *, turning: bool) -> Configuratio
 
 
 def waypoints_of(path: Any, theta: float, *, turning: bool) -> NDArray[np.float64]:
-    """Return the waypoints of an OMPL path, shape (N, 3).
-
-    OMPL turns the shorter way between two yaws, so theta is unwrapped: each is brought to within
-    half a turn of the one before.
-    """
-    points = np.array([configuration_of(s, theta, turning=turning) for s in path.getStates()])
-    points = points.reshape(-1, 3)
-    for i in range(1, len(points)):
-        turns = round((points[i - 1, 2] - points[i, 2]) / math.tau)
-        points[i, 2] += turns * math.tau
-    return points
+    """Return the waypoints of an OMPL path, shape (N, 3), theta unwrapped."""
+    states = path.getStates()
+    return unwrapped(np.array([configuration_of(s, theta, turning=turning) for s in states]))
