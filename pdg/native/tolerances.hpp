@@ -58,14 +58,14 @@ inline constexpr double kVertexUnits = 4.0 * PDG_MARGIN_SCALE;
 
 // Radius of a disc about the robot's origin inside a piece, from its edges' offsets: 6 u of the
 // largest |a|, and the subtraction.
-inline constexpr double kInnerReachUnits = 8.0;
+inline constexpr double kInnerReachUnits = 8.0 * PDG_MARGIN_SCALE;
 // Distance of the origin from the robot's hull, from the nearest points of edges: 5 u of the
 // largest |a|; edges' offsets 6 u; and the sums that widen the domain by it.
-inline constexpr double kHullDistanceUnits = 16.0;
+inline constexpr double kHullDistanceUnits = 16.0 * PDG_MARGIN_SCALE;
 
 // By how much the domain is grown on every side, in units of u times the planner's unit of length:
 // rounding of the bounds (1), of corner and size (5).
-inline constexpr double kDomainUnits = 8.0;
+inline constexpr double kDomainUnits = 8.0 * PDG_MARGIN_SCALE;
 
 // Relative slack of the discs that stand for a nearly round robot, in u: libm's cos (2), product
 // and radii (3).
@@ -75,7 +75,7 @@ inline constexpr double kDiscUnits = 16.0;
 inline constexpr double kLiftOffUnits = 8.0;
 
 // Centres of the stretches that a wide cell is cut into, in units of u (|theta| + half-angle).
-inline constexpr double kStretchUnits = 8.0;
+inline constexpr double kStretchUnits = 8.0 * PDG_MARGIN_SCALE;
 
 // Errors of plain results, for whoever compares them; no verdict leans on these. PD^t of two
 // polygons: in units of u times the diameter of both together. The displacement of a body: in units

@@ -22,6 +22,7 @@ constexpr std::pair<const char*, Family> kFamilies[] = {
     {"segments", rounding::segments},
     {"bounds", rounding::bounds},
     {"scenes", rounding::scenes},
+    {"placements", rounding::placements},
 };
 
 struct Options {

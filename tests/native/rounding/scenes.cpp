@@ -150,7 +150,7 @@ std::vector<Tally> scenes(const Request& request) {
         stage.critical && random.one_in(2) ? stage.critical->theta : random.between(-10.0, 10.0);
     World world(stage.scene, theta);
     planner::Subdivision subdivision(world.space, world.labeller, world.statistics);
-    grow(random, world, stage, subdivision, random.pick(10, request.adversarial ? 200 : 80));
+    grow(random, world, stage, subdivision, request.adversarial ? random.pick(60, 200) : random.pick(10, 80));
     out.star.inputs += world.statistics.star_tests;
     out.joint.inputs += world.statistics.star_tests + world.statistics.joint_cells;
     check_leaves(world, subdivision, out);

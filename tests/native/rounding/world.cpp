@@ -54,17 +54,18 @@ pdg::Polygon robot_rectangle(const Placing& placing, const double length, const 
   return {{ring}};
 }
 
-double slight(Random& random) {
-  return random.one_in(5) ? 0.0 : random.sign() * random.magnitude(1e-16, 1e-3);
+double slight(Random& random, const bool adversarial) {
+  if (random.one_in(5)) return 0.0;
+  return random.sign() * random.magnitude(1e-16, adversarial && random.one_in(2) ? 1e-14 : 1e-3);
 }
 
 // A wall with a slot as wide as the robot, or nearly.
-void slot(Random& random, const Placing& placing, Stage& stage) {
+void slot(Random& random, const Placing& placing, const bool adversarial, Stage& stage) {
   const double width = random.between(0.1, 0.6);
   const double half = 0.5 * width;
   planner::Scene& scene = stage.scene;
   scene.robot.append(robot_rectangle(placing, random.between(0.6, 1.5),
-                                     width * (1.0 + slight(random)), {0.0, 0.0}));
+                                     width * (1.0 + slight(random, adversarial)), {0.0, 0.0}));
   scene.obstacles.append(rectangle(placing, {-0.5, half}, {0.5, 2.0}));
   scene.obstacles.append(rectangle(placing, {-0.5, -2.0}, {0.5, -half}));
   scene.box = planner::Rectangle{placing.place({-2.0, -2.0}), placing.place({2.0, 2.0})};
@@ -72,9 +73,9 @@ void slot(Random& random, const Placing& placing, Stage& stage) {
 }
 
 // Round a corner with a robot of nearly the greatest length that fits.
-void corner(Random& random, const Placing& placing, Stage& stage) {
+void corner(Random& random, const Placing& placing, const bool adversarial, Stage& stage) {
   const double width = random.between(0.05, 0.3);
-  const double length = 2.0 * (std::numbers::sqrt2 - width) * (1.0 + slight(random));
+  const double length = 2.0 * (std::numbers::sqrt2 - width) * (1.0 + slight(random, adversarial));
   planner::Scene& scene = stage.scene;
   scene.robot.append(robot_rectangle(placing, length, width, {0.0, 0.0}));
   scene.obstacles.append(rectangle(placing, {1.0, 1.0}, {4.0, 4.0}));
@@ -151,14 +152,14 @@ Stage any_stage(Random& random, const bool adversarial) {
   const double far = adversarial && random.one_in(3) ? random.magnitude(1.0, 1e9) : 0.0;
   placing.origin = placing.scale * far * Vec2{random.between(-1.0, 1.0), random.between(-1.0, 1.0)};
   Stage stage;
-  const int kind = random.pick(0, adversarial ? 3 : 5);
-  if (kind == 0)
-    slot(random, placing, stage);
-  else if (kind == 1)
-    corner(random, placing, stage);
+  const int kind = random.pick(0, adversarial ? 4 : 6) / 2;
+  if (kind == 1)
+    slot(random, placing, adversarial, stage);
+  else if (kind == 0)
+    corner(random, placing, adversarial, stage);
   else
     shapes(random, placing, adversarial, stage.scene);
-  stage.scene.rotation = kind == 1 || !random.one_in(8);
+  stage.scene.rotation = kind == 0 || !random.one_in(8);
   return stage;
 }
 
