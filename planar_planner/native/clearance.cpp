@@ -11,15 +11,19 @@ namespace planner {
 
 namespace {
 
-// The largest lower bound of the pair's separating-axis functions over the motion.
+// The largest lower bound of the pair's separating-axis functions over the motion; of those that
+// reach `enough`, the first.
 double pair_separation(const pdg::PosedPiece& a, const pdg::ConvexPiece& b,
-                       const pdg::Motion& motion, std::vector<pdg::Constraint>& axes) {
+                       const pdg::Motion& motion, const double enough,
+                       std::vector<pdg::Constraint>& axes) {
   axes.clear();
   pdg::all_constraints(*a.piece, b, axes);
   const double error = pdg::separation_error(*a.piece, b, motion);
   double best = -INFINITY;
-  for (pdg::Constraint& axis : axes)
+  for (pdg::Constraint& axis : axes) {
     best = std::max(best, pdg::constraint_range(a, b, motion, error, axis).lo - error);
+    if (best >= enough) break;
+  }
   return best;
 }
 
@@ -32,15 +36,15 @@ class Probe {
   double over(const Interval interval, const double cap) {
     const pdg::Motion motion = motion_along(problem_, from_, to_, interval);
     if (motion.half_angle > 1.0) return 0.0;
-    const double middle = 0.5 * (interval.begin + interval.end);
-    const pdg::Rotation rotation = rotation_at(between(from_, to_, middle).theta);
+    const double s = 0.5 * (interval.begin + interval.end);
+    const pdg::Rotation rotation = rotation_at(between(from_, to_, s).theta);
     pose(problem_.robot, rotation, posed_);
     double least = cap;
     visit_nearby_pairs(problem_.robot, tree_, motion, rotation, cap,
                        [&](const std::uint32_t obstacle, const std::size_t robot) {
                          least = std::min(
                              least, pair_separation(posed_piece(problem_.robot, posed_, robot),
-                                                    tree_.piece(obstacle), motion, axes_));
+                                                    tree_.piece(obstacle), motion, least, axes_));
                        });
     return std::max(least, 0.0);
   }
@@ -60,38 +64,63 @@ class Probe {
  private:
   const Problem& problem_;
   ObstacleTree& tree_;
-  const Pose& from_;
-  const Pose& to_;
+  Pose from_;
+  Pose to_;
   pdg::PosedRobot posed_;
   std::vector<pdg::Constraint> axes_;
 };
 
 struct Open {
   double bound;
+  std::size_t segment;
   Interval interval;
   bool operator<(const Open& other) const { return bound > other.bound; }
 };
 
+double middle(const Interval i) {
+  return 0.5 * (i.begin + i.end);
+}
+
 }  // namespace
 
-void bound_clearance(const Problem& problem, ObstacleTree& tree, const Pose& from, const Pose& to,
-                     const double tolerance, int intervals, ClearanceBounds& clearance) {
-  Probe probe(problem, tree, from, to);
+double sampled_clearance(const Problem& problem, ObstacleTree& tree,
+                         const std::vector<Pose>& path) {
+  double least = INFINITY;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    least = std::min(least, Probe(problem, tree, path[i], path[i + 1]).at(0.5, least));
+  return least;
+}
+
+// Best first over all segments at once, so that where there is much room nothing is refined.
+ClearanceBounds bound_clearance(const Problem& problem, ObstacleTree& tree,
+                                const std::vector<Pose>& path, const double tolerance,
+                                const int intervals) {
+  ClearanceBounds clearance;
+  std::vector<Probe> probes;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    probes.emplace_back(problem, tree, path[i], path[i + 1]);
+  const auto look_at = [&](const std::size_t segment, const double s) {
+    clearance.upper = std::min(clearance.upper, probes[segment].at(s, clearance.upper));
+  };
+  for (std::size_t i = 0; i < probes.size(); ++i) look_at(i, 0.5);
+  if (clearance.upper == INFINITY) return clearance;
   std::priority_queue<Open> open;
-  clearance.upper = std::min(clearance.upper, probe.at(0.5, clearance.upper));
-  if (clearance.upper == INFINITY) return;
-  open.push({probe.over({0.0, 1.0}, clearance.upper), {0.0, 1.0}});
-  while (open.top().bound < (1.0 - tolerance) * clearance.upper && intervals-- > 0) {
-    const Interval i = open.top().interval;
+  const auto push = [&](const std::size_t segment, const Interval interval) {
+    open.push({probes[segment].over(interval, clearance.upper), segment, interval});
+  };
+  for (std::size_t i = 0; i < probes.size(); ++i) push(i, {0.0, 1.0});
+  std::size_t left = static_cast<std::size_t>(intervals) * probes.size();
+  while (open.top().bound < (1.0 - tolerance) * clearance.upper && left-- > 0) {
+    const Open worst = open.top();
     open.pop();
-    const double middle = 0.5 * (i.begin + i.end);
-    for (const Interval half : {Interval{i.begin, middle}, Interval{middle, i.end}}) {
-      clearance.upper =
-          std::min(clearance.upper, probe.at(0.5 * (half.begin + half.end), clearance.upper));
-      open.push({probe.over(half, clearance.upper), half});
+    const Interval i = worst.interval;
+    for (const Interval half : {Interval{i.begin, middle(i)}, Interval{middle(i), i.end}}) {
+      look_at(worst.segment, middle(half));
+      push(worst.segment, half);
     }
   }
-  clearance.lower = std::min(clearance.lower, open.top().bound);
+  clearance.lower = open.top().bound;
+  return clearance;
 }
 
 }  // namespace planner

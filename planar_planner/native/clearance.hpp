@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include "obstacle_tree.hpp"
 #include "problem.hpp"
@@ -15,9 +16,13 @@ struct ClearanceBounds {
   double upper = std::numeric_limits<double>::infinity();  // the least found at any configuration
 };
 
-// Lowers `clearance` to hold along one more certified segment: `lower` stays within the factor
-// 1 - tolerance of `upper`, unless `intervals` run out. Infinite where there is nothing to touch.
-void bound_clearance(const Problem& problem, ObstacleTree& tree, const Pose& from, const Pose& to,
-                     double tolerance, int intervals, ClearanceBounds& clearance);
+// Along the certified segments from each pose to the next: `lower` is within the factor
+// 1 - tolerance of `upper`, unless `intervals` for each segment run out. Infinite where there is
+// nothing to touch.
+ClearanceBounds bound_clearance(const Problem& problem, ObstacleTree& tree,
+                                const std::vector<Pose>& path, double tolerance, int intervals);
+
+// The least clearance at the segments' middles: an upper bound, cheap.
+double sampled_clearance(const Problem& problem, ObstacleTree& tree, const std::vector<Pose>& path);
 
 }  // namespace planner

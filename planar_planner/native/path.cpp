@@ -10,10 +10,14 @@ namespace {
 // Least clearance is reported to this relative accuracy, unless the number of intervals runs out.
 constexpr double kClearanceTolerance = 0.05;
 constexpr int kClearanceIntervals = 400;
-// While shortening, half of it is enough, and the part of it that a shortcut has to keep.
-constexpr double kRoughTolerance = 0.5;
-constexpr int kRoughIntervals = 20;
+// The part of it that a shortcut has to keep.
 constexpr double kKeptClearance = 0.5;
+
+std::vector<Pose> poses_of(const Problem& problem, const std::vector<Configuration>& path) {
+  std::vector<Pose> poses;
+  for (const Configuration& q : path) poses.push_back(pose_of(problem, q));
+  return poses;
+}
 
 }  // namespace
 
@@ -50,15 +54,12 @@ std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest
   return std::nullopt;
 }
 
-void shorten(const Problem& problem, ObstacleTree& tree, SegmentTest& test,
-             std::vector<Configuration>& path, const Terminator& stop) {
-  ClearanceBounds clearance;
-  for (std::size_t i = 0; i + 1 < path.size() && !stop(); ++i)
-    bound_clearance(problem, tree, pose_of(problem, path[i]), pose_of(problem, path[i + 1]),
-                    kRoughTolerance, kRoughIntervals, clearance);
-  const double margin = kKeptClearance * clearance.lower;
-  const auto certified = [&](const std::size_t from, const std::size_t to) {
-    return test.certify(pose_of(problem, path[from]), pose_of(problem, path[to]), margin);
+std::optional<std::size_t> certify_shortened(const Problem& problem, ObstacleTree& tree,
+                                             SegmentTest& test, std::vector<Configuration>& path,
+                                             const Terminator& stop) {
+  const double margin = kKeptClearance * sampled_clearance(problem, tree, poses_of(problem, path));
+  const auto certified = [&](const std::size_t from, const std::size_t to, const double by) {
+    return !stop() && test.certify(pose_of(problem, path[from]), pose_of(problem, path[to]), by);
   };
   std::vector<Configuration> kept{path.front()};
   std::size_t i = 0;
@@ -66,36 +67,37 @@ void shorten(const Problem& problem, ObstacleTree& tree, SegmentTest& test,
     // Reach as far as a doubling stride goes, then one bisection back.
     std::size_t good = i + 1;
     std::size_t stride = 2;
-    while (i + stride < path.size() && !stop() && certified(i, i + stride)) {
+    while (i + stride < path.size() && certified(i, i + stride, margin)) {
       good = i + stride;
       stride *= 2;
     }
     std::size_t bad = std::min(i + stride, path.size());
-    while (bad - good > 1 && !stop()) {
+    while (bad - good > 1) {
       const std::size_t middle = good + (bad - good) / 2;
-      if (certified(i, middle))
+      if (certified(i, middle, margin))
         good = middle;
       else
         bad = middle;
     }
+    if (good == i + 1 && !certified(i, good, 0.0)) return i;
     kept.push_back(path[good]);
     i = good;
   }
   path = std::move(kept);
+  return std::nullopt;
 }
 
 PathReport report_path(const Problem& problem, ObstacleTree& tree,
                        std::vector<Configuration> waypoints) {
   PathReport report;
-  ClearanceBounds clearance;
   for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
     const Configuration& a = waypoints[i];
     const Configuration& b = waypoints[i + 1];
     report.length += std::hypot(b.x - a.x, b.y - a.y);
     report.turning += std::abs(b.theta - a.theta);
-    bound_clearance(problem, tree, pose_of(problem, a), pose_of(problem, b), kClearanceTolerance,
-                    kClearanceIntervals, clearance);
   }
+  const ClearanceBounds clearance = bound_clearance(problem, tree, poses_of(problem, waypoints),
+                                                    kClearanceTolerance, kClearanceIntervals);
   report.least_clearance = length_to_user(problem, clearance.lower);
   report.waypoints = std::move(waypoints);
   return report;

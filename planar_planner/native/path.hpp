@@ -35,10 +35,12 @@ std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest
                                              const std::vector<Configuration>& path,
                                              const Terminator& stop);
 
-// Drops waypoints while every new segment is certified to keep half of the path's least clearance.
-// Deterministic; never longer. A certified path stays one when the terminator strikes.
-void shorten(const Problem& problem, ObstacleTree& tree, SegmentTest& test,
-             std::vector<Configuration>& path, const Terminator& stop);
+// Certifies every segment, and drops waypoints on the way where the shortcut is certified to keep
+// half of the clearance found along the path. Deterministic; never longer. The first segment that
+// cannot be certified (or before which the terminator struck), if any: `path` is then unchanged.
+std::optional<std::size_t> certify_shortened(const Problem& problem, ObstacleTree& tree,
+                                             SegmentTest& test, std::vector<Configuration>& path,
+                                             const Terminator& stop);
 
 PathReport report_path(const Problem& problem, ObstacleTree& tree,
                        std::vector<Configuration> waypoints);

@@ -154,7 +154,7 @@ bool Refinement::finish(const std::vector<CellId>& channel) {
   std::vector<CellId> owners;
   std::vector<Configuration> path = assemble_path(problem_, subdivision_, channel, connectors_,
                                                   query_.start, query_.goal, owners);
-  const auto bad = first_uncertified(problem_, segments_, path, terminator);
+  const auto bad = certify_shortened(problem_, tree_, segments_, path, terminator);
   if (query_.stopped) return true;
   if (bad) {
     // Free by construction, but too near to contact for the rounded waypoints: smaller cells have
@@ -166,8 +166,6 @@ bool Refinement::finish(const std::vector<CellId>& channel) {
       exhaust(cell);
     return false;
   }
-  shorten(problem_, tree_, segments_, path, terminator);
-  query_.stopped = false;
   query_.answer.path = report_path(problem_, tree_, std::move(path));
   query_.conclude(Verdict::kPath, "certified through a channel of cells", "channel");
   return true;

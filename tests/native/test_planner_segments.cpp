@@ -105,8 +105,8 @@ TEST(PlannerSegments, LeastClearanceIsATrueBoundAndMarginsAreKept) {
       to = {from.t + scale * (to.t - from.t), from.theta + scale * (to.theta - from.theta)};
       if (!test.certify(from, to)) continue;
       ++checked;
-      planner::ClearanceBounds clearance;
-      planner::bound_clearance(world.problem, world.tree, from, to, 0.05, 4000, clearance);
+      const planner::ClearanceBounds clearance =
+          planner::bound_clearance(world.problem, world.tree, {from, to}, 0.05, 4000);
       const Real distance = least_along(world, from, to, 60, true);
       ASSERT_GT(clearance.lower, 0.0);
       ASSERT_LE(clearance.lower, static_cast<double>(distance) + 1e-12);
