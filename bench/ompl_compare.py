@@ -131,7 +131,7 @@ def entries(scene: str, plan: Plan, driver: Path | None) -> Iterator[Entry]:
     yield entry_of_ours(loaded.name, ours)
     hopeless = ours[0].verdict == "no_path"
     runs = 1 if hopeless else plan.runs
-    settings = Settings(plan.wheel, runs, plan.limit, plan.resolutions[-1], plan.seed)
+    settings = Settings(runs=runs, limit=plan.limit, seed=plan.seed)
     with tempfile.TemporaryDirectory() as folder:
         dumped = Path(folder) / "problem.txt"
         dumped.write_text(dump(problem), encoding="ascii")
