@@ -39,8 +39,9 @@ def print_row(columns: Sequence[object], note: str) -> None:
 def run_part(name: str, settings: Settings) -> list[Row]:
     """Run one part and print its rows."""
     began = time.perf_counter()
-    rows: list[Row] = importlib.import_module(f"stress_parts.{name}").run(settings)
-    for row in rows:
+    rows: list[Row] = []
+    for row in importlib.import_module(f"stress_parts.{name}").run(settings):
+        rows.append(row)
         print_row(cells(row), row.note)
     print(f"{name}: {time.perf_counter() - began:.0f} s\n", flush=True)
     return rows

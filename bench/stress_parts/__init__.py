@@ -1,4 +1,4 @@
-"""The parts of ``bench/stress.py``: each module has ``run(settings) -> list[Row]``.
+"""The parts of ``bench/stress.py``: each module has ``run(settings) -> Iterable[Row]``.
 
 `PARTS` names them in the order in which they run; `common` holds what they share.
 """

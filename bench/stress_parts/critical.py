@@ -9,7 +9,7 @@ answer's certificate is checked. The note says down to which relative distance a
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 from planar_planner import Options
@@ -22,7 +22,7 @@ SIDES = {"path": "with a path", "no_path": "without"}
 EXPONENTS = [0.5 * k for k in range(2, 25)]  # relative distances 10^-1 ... 10^-12
 QUICK_EXPONENTS = [1.0, 4.0, 8.0, 12.0]
 ULPS = 3  # neighbours of the critical value itself that are tried as well
-CELLS, QUICK_CELLS = 200_000, 20_000
+CELLS, QUICK_CELLS = 50_000, 20_000
 RESOLUTIONS = {"default": Options().resolution, "finest": 1e-15}
 OFF_MIDDLE = 0.4637  # where a bracket is parted: critical values like to be the middle of something
 
@@ -47,13 +47,12 @@ class Side:
         return "; ".join(parts)
 
 
-def run(settings: Settings) -> list[Row]:
+def run(settings: Settings) -> Iterator[Row]:
     """Ask on both sides of every family."""
-    chosen = list(families())[: settings.most]
-    rows = [row for family in chosen for row in _family(settings, family)]
+    for family in list(families())[: settings.most]:
+        yield from _family(settings, family)
     for name, make, bracket in _nested()[: settings.count(2, 1)]:
-        rows.append(_monotone(settings, name, make, bracket))
-    return rows
+        yield _monotone(settings, name, make, bracket)
 
 
 def _exponents(settings: Settings) -> list[float]:

@@ -51,11 +51,12 @@ class Subject:
         return Options(max_cells=10_000 if self.tight else 300_000, timeout=10.0)
 
 
-def run(settings: Settings) -> list[Row]:
+def run(settings: Settings) -> Iterator[Row]:
     """Apply every change to every shipped scene, and to tight ones."""
     shipped, tight = list(_shipped())[: settings.most], list(_tight())[: settings.most]
     subjects = shipped + (tight[::4] if settings.quick else tight)
     rows, steady = _as_they_are(settings, subjects)
+    yield from rows
     for case, change, draws, is_exact in _cases():
         row = Row(PART, case, note="" if is_exact else "rounded")
         for subject in subjects if is_exact else steady:
@@ -67,8 +68,7 @@ def run(settings: Settings) -> list[Row]:
                 changed = change(subject.scene, rng)
                 if changed is not None:
                     expect(settings, row, changed, allowed, subject.options)
-        rows.append(row)
-    return rows
+        yield row
 
 
 def _chance(case: str, subject: Subject) -> float:

@@ -18,7 +18,7 @@ from stress_parts.worlds import KINDS, random_world
 
 PART = "random"
 OPTIONS = Options(max_cells=3_000, timeout=5.0)
-FULL, QUICK = 2_000, 25  # scenes of each kind
+FULL, QUICK = 1_000, 25  # scenes of each kind
 CHUNK = 25  # scenes that a process draws at a time
 TRIES = 300
 MIRRORS = (Similarity(mirrored=True), Similarity(1j, mirrored=True), Similarity(-1, mirrored=True))

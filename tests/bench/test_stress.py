@@ -28,7 +28,7 @@ def run(part: str, tmp_path: Path, plant: Callable[..., Any] | None = None, most
     settings = Settings(quick=True, most=most, failures=tmp_path / "failures")
     if plant is not None:
         settings = replace(settings, solver=plant(planner))
-    return importlib.import_module(f"stress_parts.{part}").run(settings)
+    return list(importlib.import_module(f"stress_parts.{part}").run(settings))
 
 
 def failures(rows: Any) -> list[str]:
