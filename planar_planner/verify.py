@@ -226,7 +226,8 @@ def read_certificate(source: Source) -> Any:
             raise ValueError("is too large")  # noqa: TRY301
         content = json.loads(data, object_pairs_hook=unique)
     except (OSError, ValueError, EOFError, zlib.error, RecursionError) as error:
-        raise CertificateError("", getattr(error, "strerror", "") or str(error)) from None
+        reason = getattr(error, "strerror", "") or str(error)
+        raise CertificateError("", f"cannot be read: {reason}") from None
     return _CERTIFICATE(content)
 
 
