@@ -40,9 +40,7 @@ struct Ball {
 
   [[nodiscard]] bool certainly_negative() const { return middle < -static_cast<Wide>(radius); }
   [[nodiscard]] bool certainly_positive() const { return middle > static_cast<Wide>(radius); }
-  [[nodiscard]] bool certainly_not_negative() const {
-    return middle >= static_cast<Wide>(radius);
-  }
+  [[nodiscard]] bool certainly_not_negative() const { return middle >= static_cast<Wide>(radius); }
   [[nodiscard]] bool possibly_not_negative() const { return !certainly_negative(); }
   [[nodiscard]] double value() const { return static_cast<double>(middle); }
 };

@@ -1,4 +1,5 @@
-// FREE by bounding circles of pieces and boxes of the obstacle tree, over cells, faces and segments.
+// FREE by bounding circles of pieces and boxes of the obstacle tree, over cells, faces and
+// segments.
 #include <algorithm>
 #include <cmath>
 

@@ -32,9 +32,9 @@ Sinusoid turning(const Vector& normal, const Vector& p) {
 
 // Everything of the sum that a joint proof is made of.
 struct Sum {
-  Ball value;          // what does not turn
-  Sinusoid sinusoid;   // what turns
-  Vector fixed, own;   // normals of obstacles; of the robot, turned to the centre
+  Ball value;         // what does not turn
+  Sinusoid sinusoid;  // what turns
+  Vector fixed, own;  // normals of obstacles; of the robot, turned to the centre
 };
 
 void add_obstacle_term(Sum& sum, const Ball& weight, const Vector& n, const Ball& offset,
@@ -108,8 +108,7 @@ class StarCheck {
     for (std::size_t k = 0; k < a.vertices.size(); ++k) {
       const Vector p = rotated(box_.rotation, a.vertices[k]);
       const Vector after = rotated(box_.rotation, a.along[k]);
-      const Vector before =
-          rotated(box_.rotation, a.along[k == 0 ? a.along.size() - 1 : k - 1]);
+      const Vector before = rotated(box_.rotation, a.along[k == 0 ? a.along.size() - 1 : k - 1]);
       const Sinusoid f = {dot(n, p), dot(n, perpendicular(p))};
       if (!possible_minimiser({dot(n, after), dot(n, perpendicular(after))},
                               {dot(n, before), dot(n, perpendicular(before))}))
@@ -118,8 +117,7 @@ class StarCheck {
       const Ball extent = absolute(dot(n, box_.g1)) + absolute(dot(n, box_.g2));
       if ((sinusoid_least(f, box_) + shift - extent).certainly_not_negative()) continue;
       if ((sinusoid_largest(f, box_) + shift + extent).certainly_negative()) continue;
-      const Ball slack =
-          dot(n, guard_) - offset + least(f.v, f.v * k_) - absolute(f.w) * s_;
+      const Ball slack = dot(n, guard_) - offset + least(f.v, f.v * k_) - absolute(f.w) * s_;
       if (!slack.certainly_positive()) return false;
     }
     return true;
@@ -147,8 +145,7 @@ class StarCheck {
       if ((lowest - offset).certainly_not_negative()) continue;
       if ((highest - offset).certainly_negative()) continue;
       const Sinusoid own = turning(n, b.vertices[k] - guard_);
-      const Ball slack =
-          least(own.v, own.v * k_) - offset - box_.h * drift - absolute(own.w) * s_;
+      const Ball slack = least(own.v, own.v * k_) - offset - box_.h * drift - absolute(own.w) * s_;
       if (!slack.certainly_positive()) return false;
     }
     return true;

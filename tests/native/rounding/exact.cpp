@@ -41,8 +41,7 @@ Ball envelope_largest(const std::vector<Sinusoid>& all, const std::vector<Sinuso
       out = greatest(out, size);
       continue;
     }
-    if (possibly_within(f.v, size, box))
-      out = greatest(out, least_at(all, f.v / size, f.w / size));
+    if (possibly_within(f.v, size, box)) out = greatest(out, least_at(all, f.v / size, f.w / size));
     const Ball c = steps[i].w;
     const Ball s = -steps[i].v;
     const Ball span = square_root(c * c + s * s);
@@ -93,7 +92,8 @@ Box box_of(const planner::CellSpace& space, const planner::Extent& e) {
   box.g1 = {Ball(d.size.x) * fraction(e.size[0], 61), Ball()};
   box.g2 = {Ball(), Ball(d.size.y) * fraction(e.size[1], 61)};
   if (space.rotation) {
-    box.rotation = sine_cosine_of_turns((2 * e.low[2] + e.size[2]) & ((std::uint64_t{1} << 61U) - 1));
+    box.rotation =
+        sine_cosine_of_turns((2 * e.low[2] + e.size[2]) & ((std::uint64_t{1} << 61U) - 1));
     box.h = pi() * fraction(e.size[2], 60);
     box.half = sine_cosine_of_turns(e.size[2]);
   } else {
@@ -184,8 +184,8 @@ Ball robot_edge_offset(const Piece& a, const std::size_t edge) {
 }  // namespace
 
 Ball wall_least(const Piece& a, const Wall& wall, const Box& box) {
-  return envelope_least(towards(wall.normal, a, box, false).all, box) +
-         dot(wall.normal, box.t) - wall.offset - extent(wall.normal, box);
+  return envelope_least(towards(wall.normal, a, box, false).all, box) + dot(wall.normal, box.t) -
+         wall.offset - extent(wall.normal, box);
 }
 
 Ball wall_largest(const Piece& a, const Wall& wall, const Box& box) {
@@ -236,12 +236,13 @@ Ball least_value(const Piece& a, const Piece& b, const Axis& axis, const Part& p
   if (!(Ball(1.5) - h).certainly_positive()) return plain;
   const Vector& g = part.box.g1;
   const bool obstacle = axis.owner == pdg::EdgeOwner::kObstacle;
-  const Vector n = obstacle ? b.normals[axis.edge] : rotated(part.box.rotation, a.normals[axis.edge]);
+  const Vector n =
+      obstacle ? b.normals[axis.edge] : rotated(part.box.rotation, a.normals[axis.edge]);
   const Piece& others = obstacle ? a : b;
   Ball lowest;
   for (std::size_t k = 0; k < others.vertices.size(); ++k) {
-    const Vector p = obstacle ? rotated(part.box.rotation, others.vertices[k])
-                              : others.vertices[k] - part.box.t;
+    const Vector p =
+        obstacle ? rotated(part.box.rotation, others.vertices[k]) : others.vertices[k] - part.box.t;
     const Ball v = dot(n, p);
     const Ball w = obstacle ? dot(n, perpendicular(p)) : dot(perpendicular(n), p);
     const Ball slope = (obstacle ? dot(n, g) : -dot(n, g)) + w * part.turn;
@@ -250,8 +251,8 @@ Ball least_value(const Piece& a, const Piece& b, const Axis& axis, const Part& p
     const Ball here = v - absolute(slope) - rest;
     lowest = k == 0 ? here : least(lowest, here);
   }
-  const Ball shift = obstacle ? dot(n, part.box.t - b.vertices[axis.edge])
-                              : -robot_edge_offset(a, axis.edge);
+  const Ball shift =
+      obstacle ? dot(n, part.box.t - b.vertices[axis.edge]) : -robot_edge_offset(a, axis.edge);
   return greatest(plain, lowest + shift);
 }
 

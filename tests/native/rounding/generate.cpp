@@ -121,7 +121,8 @@ PairCase pair_case(Random& random, const bool adversarial) {
   const bool odd_scale = adversarial && random.one_in(3);
   const double scale = odd_scale ? random.magnitude(1e-9, 1e9) : random.magnitude(0.1, 10.0);
   const double far = adversarial && random.one_in(4) ? random.magnitude(1.0, 1e9) : 0.0;
-  c.frame.origin = {scale * far * random.between(-1.0, 1.0), scale * far * random.between(-1.0, 1.0)};
+  c.frame.origin = {scale * far * random.between(-1.0, 1.0),
+                    scale * far * random.between(-1.0, 1.0)};
   c.frame.exponent = -std::ilogb(scale) - 1;
   const double unit = std::ldexp(1.0, -c.frame.exponent);  // of the frame, in the user's
   if (random.one_in(4)) {
@@ -165,8 +166,7 @@ PairCase pair_case(Random& random, const bool adversarial) {
   }
   if (random.one_in(2)) {
     ConvexPolygon moved = c.b;
-    for (Vec2& p : moved)
-      p = {nudged(p.x, random.pick(-2, 2)), nudged(p.y, random.pick(-2, 2))};
+    for (Vec2& p : moved) p = {nudged(p.x, random.pick(-2, 2)), nudged(p.y, random.pick(-2, 2))};
     if (strictly_convex(moved)) c.b = moved;
   }
   return c;

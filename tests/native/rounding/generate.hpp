@@ -38,12 +38,12 @@ double nudged(double x, int steps);
 bool strictly_convex(const ConvexPolygon& p);
 
 enum class Shape : std::uint8_t {
-  kRound,        // vertices near an ellipse
-  kSliver,       // a triangle or quadrilateral 1e-12 or so as thick as it is long
-  kRectangle,    // axis-parallel, of dyadic coordinates: ties
-  kTrapezoid,    // nearly parallel sides, off by 1e-16 .. 1e-6
-  kBlunt,        // vertices a few ulps apart
-  kSmall,        // 1e-9 of the size
+  kRound,      // vertices near an ellipse
+  kSliver,     // a triangle or quadrilateral 1e-12 or so as thick as it is long
+  kRectangle,  // axis-parallel, of dyadic coordinates: ties
+  kTrapezoid,  // nearly parallel sides, off by 1e-16 .. 1e-6
+  kBlunt,      // vertices a few ulps apart
+  kSmall,      // 1e-9 of the size
   kCount,
 };
 

@@ -18,11 +18,10 @@ using rounding::Tally;
 using Family = std::vector<Tally> (*)(const Request&);
 
 constexpr std::pair<const char*, Family> kFamilies[] = {
-    {"pairs", rounding::pairs},
-    {"segments", rounding::segments},
-    {"bounds", rounding::bounds},
-    {"scenes", rounding::scenes},
-    {"placements", rounding::placements},
+    {"pairs", rounding::pairs},           {"segments", rounding::segments},
+    {"bounds", rounding::bounds},         {"scenes", rounding::scenes},
+    {"placements", rounding::placements}, {"depths", rounding::depths},
+    {"queries", rounding::queries},
 };
 
 struct Options {
@@ -82,7 +81,8 @@ int main(int argc, char** argv) {
                             2 * options.seed + (adversarial ? 1 : 0), adversarial};
       for (const Tally& t : run(request)) {
         std::printf("%s,%s,%llu,%llu,%llu,%llu,%.4f\n", t.family.c_str(),
-                    adversarial ? "adversarial" : "random", static_cast<unsigned long long>(t.inputs),
+                    adversarial ? "adversarial" : "random",
+                    static_cast<unsigned long long>(t.inputs),
                     static_cast<unsigned long long>(t.claims),
                     static_cast<unsigned long long>(t.false_ones),
                     static_cast<unsigned long long>(t.values), t.tightness);

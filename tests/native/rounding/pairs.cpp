@@ -53,7 +53,7 @@ class Chain {
 
   // The range of one function that the pair was last judged from.
   void compare_range(Tally& tally, const exact::Piece& a, const exact::Piece& b,
-                      const exact::Box& box) {
+                     const exact::Box& box) {
     const pdg::Motion m = planner::motion_of(case_.space, judged_.extent);
     const Posed posed(a_, planner::rotation_of(case_.space, judged_.extent));
     const double error = pdg::separation_error(a_, b_, m);

@@ -128,15 +128,13 @@ std::vector<Tally> placements(const Request& request) {
     World world(stage.scene);
     for (int i = 0; i < 4; ++i) {
       const double theta = any_angle(random, request.adversarial);
-      const Configuration q = request.adversarial
-                                  ? in_contact(random, world, stage, theta)
-                                  : any_configuration(random, world, theta);
+      const Configuration q = request.adversarial ? in_contact(random, world, stage, theta)
+                                                  : any_configuration(random, world, theta);
       const Placement p = place(world, q);
       const exact::Box here = exact::point_of(world.problem.frame, {q.x, q.y}, q.theta);
       ++single.inputs;
       if (p.state == PlacementState::kFree) single.claim(confirm_free(world, here));
-      if (p.state == PlacementState::kColliding)
-        single.claim(confirm_pair(world, p.witness, here));
+      if (p.state == PlacementState::kColliding) single.claim(confirm_pair(world, p.witness, here));
     }
   }
   while (domain.inputs < request.inputs) {

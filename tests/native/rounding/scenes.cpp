@@ -21,10 +21,9 @@ bool free_at(World& world, const Point& p) {
   const planner::Extent here{p, {0, 0, 0}};
   planner::ConstraintList root, rest;
   world.labeller.root_list(root);
-  const planner::LabelResult result =
-      world.labeller.label(planner::motion_of(world.space, here),
-                           world.labeller.posed(planner::rotation_of(world.space, here)),
-                           planner::view(root), rest);
+  const planner::LabelResult result = world.labeller.label(
+      planner::motion_of(world.space, here),
+      world.labeller.posed(planner::rotation_of(world.space, here)), planner::view(root), rest);
   return result.label == Label::kFree;
 }
 
@@ -66,7 +65,7 @@ void grow(Random& random, World& world, const Stage& stage, planner::Subdivision
           const int rounds) {
   if (random.one_in(2)) {
     const Point point = stage.critical && !random.one_in(4) ? dyadic(world, *stage.critical)
-                                                           : point_of_contact(random, world);
+                                                            : point_of_contact(random, world);
     for (int round = 0; round < rounds; ++round) {
       const CellId id = subdivision.locate(point);
       if (!subdivision.divisible(id, 0.0)) return;
@@ -103,8 +102,7 @@ void check_leaves(const World& world, const planner::Subdivision& subdivision, T
       out.leaf.claim(confirm_full(world, subdivision.claim(id), box));
     if (cell.label == Label::kFull && cell.joint)
       out.joint.claim(confirm_full(world, subdivision.claim(id), box));
-    if (cell.label == Label::kStar)
-      out.star.claim(confirm_star(world, subdivision.guard(id), box));
+    if (cell.label == Label::kStar) out.star.claim(confirm_star(world, subdivision.guard(id), box));
   }
 }
 
@@ -137,7 +135,8 @@ void check_faces(World& world, planner::Subdivision& subdivision, Tallies& out) 
 
 }  // namespace
 
-// STAR and joint FULL are tested where nothing simpler decides: their inputs are counted by the core.
+// STAR and joint FULL are tested where nothing simpler decides: their inputs are counted by the
+// core.
 std::vector<Tally> scenes(const Request& request) {
   Random random(request.seed);
   Tallies out;
@@ -150,7 +149,8 @@ std::vector<Tally> scenes(const Request& request) {
         stage.critical && random.one_in(2) ? stage.critical->theta : random.between(-10.0, 10.0);
     World world(stage.scene, theta);
     planner::Subdivision subdivision(world.space, world.labeller, world.statistics);
-    grow(random, world, stage, subdivision, request.adversarial ? random.pick(60, 200) : random.pick(10, 80));
+    grow(random, world, stage, subdivision,
+         request.adversarial ? random.pick(60, 200) : random.pick(10, 80));
     out.star.inputs += world.statistics.star_tests;
     out.joint.inputs += world.statistics.star_tests + world.statistics.joint_cells;
     check_leaves(world, subdivision, out);

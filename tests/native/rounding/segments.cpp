@@ -28,8 +28,7 @@ Way way_of(Random& random, const PairCase& c, const bool adversarial) {
   const Vec2 t = planner::position_of(c.space, c.target[0], c.target[1]);
   const Vec2 user = c.frame.origin + unit * t;
   const double turns = adversarial && random.one_in(3) ? random.pick(-159000, 159000) : 0;
-  const double theta =
-      planner::radians_of_turns(c.target[2]) + 2.0 * std::numbers::pi * turns;
+  const double theta = planner::radians_of_turns(c.target[2]) + 2.0 * std::numbers::pi * turns;
   const double length = unit * random.magnitude(adversarial ? 1e-12 : 1e-3, 0.5);
   const double angle = random.between(0.0, 6.3);
   const double turn = random.one_in(5) ? 0.0 : random.sign() * random.magnitude(1e-9, 3.0);

@@ -85,8 +85,7 @@ void corner(Random& random, const Placing& placing, const bool adversarial, Stag
   stage.critical = {t.x, t.y, -std::numbers::pi / 4 - placing.angle};
 }
 
-void shapes(Random& random, const Placing& placing, const bool adversarial,
-            planner::Scene& scene) {
+void shapes(Random& random, const Placing& placing, const bool adversarial, planner::Scene& scene) {
   const int robots = random.one_in(4) ? 2 : 1;
   const double off = random.one_in(4) ? 2.0 : 0.3;
   for (int i = 0; i < robots; ++i) {
@@ -121,8 +120,7 @@ World::World(planner::Scene scene, const double theta)
   reach = exact::reach(robot.back());
   for (std::size_t i = 0; i < problem.scene.obstacles.size(); ++i) {
     obstacles.emplace_back();
-    for (const ConvexPolygon& piece :
-         planner::planner_pieces(problem.scene.obstacles.polygon(i)))
+    for (const ConvexPolygon& piece : planner::planner_pieces(problem.scene.obstacles.polygon(i)))
       obstacles.back().push_back(exact::framed(problem.frame, piece));
   }
   if (!problem.scene.box) return;

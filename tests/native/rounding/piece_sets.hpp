@@ -1,0 +1,22 @@
+// Bodies of the depth library, as inputs.
+#pragma once
+
+#include "exact.hpp"
+#include "generate.hpp"
+#include "pdg/native/c_obstacle_query.hpp"
+
+namespace rounding {
+
+// Two bodies, one moving, and a cell of its configurations; unscaled, as the library takes them.
+struct SetCase {
+  pdg::PieceSet a, b;
+  pdg::Cell cell;
+};
+
+// Adversarial: in contact at the centre up to a few rounding errors; scales 1e-100 .. 1e140, far
+// from the origin.
+SetCase set_case(Random& random, bool adversarial);
+
+exact::Box box_of(const pdg::Pose& centre, const pdg::HalfExtents& half);
+
+}  // namespace rounding
