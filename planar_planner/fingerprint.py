@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import ArrayLike
 
 from planar_planner.problem import Problem
 
@@ -11,14 +13,14 @@ from planar_planner.problem import Problem
 def fingerprint(problem: Problem) -> str:
     """Return the SHA-256 of everything that the answer depends on, hexadecimal.
 
-    Geometry, bounds, start and goal enter as the exact doubles (−0 as 0), each list on a line of
-    its own. Names do not enter.
+    Geometry, bounds, start and goal enter as the exact doubles (little-endian, −0 as 0), each list
+    with its name and length. Names of scenes do not enter.
     """
     digest = hashlib.sha256(b"planar-planner/problem 1")
 
-    def add(label: str, values: Iterable[float]) -> None:
-        numbers = " ".join((float(value) + 0.0).hex() for value in values)
-        digest.update(f"\n{label}: {numbers}".encode())
+    def add(label: str, values: ArrayLike) -> None:
+        numbers = np.asarray(values, dtype="<f8").ravel() + 0.0  # which turns −0 into 0
+        digest.update(f"\n{label} {len(numbers)}\n".encode() + numbers.tobytes())
 
     for label, polygons in (
         ("robot", problem.robot),
@@ -26,9 +28,9 @@ def fingerprint(problem: Problem) -> str:
         ("workspace", problem.workspace),
     ):
         if polygons is not None:
-            add(f"{label} points", polygons.coords.ravel().tolist())
-            add(f"{label} rings", polygons.ring_starts.tolist())
-            add(f"{label} polygons", polygons.polygon_starts.tolist())
+            add(f"{label} points", polygons.coords)
+            add(f"{label} rings", polygons.ring_starts)
+            add(f"{label} polygons", polygons.polygon_starts)
     add("box", problem.workspace_box or ())
     add("reference bounds", problem.reference_bounds or ())
     add("rotation", [problem.rotation])

@@ -1,5 +1,9 @@
 #include "barrier.hpp"
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
 #include "adjacency.hpp"
 #include "minimum_cut.hpp"
 
@@ -7,26 +11,82 @@ namespace planner {
 
 namespace {
 
-// A leaf as nodes of the flow network: a FULL one can be cut, so it has a way in and a way out.
-struct Network {
-  std::vector<std::uint32_t> in, out;  // by leaf
-  std::size_t nodes = 0;
-
-  explicit Network(const Subdivision& s) : in(s.size()), out(s.size()) {
-    for (CellId id = 0; id < s.size(); ++id) {
-      in[id] = static_cast<std::uint32_t>(nodes++);
-      out[id] = s.cell(id).label == Label::kFull ? static_cast<std::uint32_t>(nodes++) : in[id];
-    }
-  }
-};
-
 struct Pair {
   CellId a, b;
 };
 
-// Both leaves are open, but every configuration of their common face is in C-obstacle.
-bool blocked_pair(const Subdivision& s, const CellId a, const CellId b) {
-  return s.cell(a).label != Label::kFull && s.cell(b).label != Label::kFull && !s.linked(a, b);
+bool full(const Subdivision& s, const CellId id) {
+  return s.cell(id).label == Label::kFull;
+}
+
+// Pairs of adjacent leaves, by what can be done between them.
+struct Adjacent {
+  std::vector<Pair> open;     // both open and linked: always passable
+  std::vector<Pair> blocked;  // both open, but their common face is in C-obstacle
+  std::vector<Pair> full;     // one or both are FULL
+};
+
+Adjacent adjacent_pairs(const Subdivision& s) {
+  Adjacent out;
+  visit_adjacent(s, [&](const CellId a, const CellId b) {
+    const bool linked = !full(s, a) && !full(s, b) && s.linked(a, b);
+    (linked ? out.open : full(s, a) || full(s, b) ? out.full : out.blocked).push_back({a, b});
+  });
+  return out;
+}
+
+// Sets of open leaves that no cut can part: union-find with path halving.
+class Merged {
+ public:
+  explicit Merged(const std::size_t size) : parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), CellId{0});
+  }
+  CellId find(CellId id) {
+    while (parent_[id] != id) id = parent_[id] = parent_[parent_[id]];
+    return id;
+  }
+  void unite(const CellId a, const CellId b) { parent_[find(a)] = find(b); }
+
+ private:
+  std::vector<CellId> parent_;
+};
+
+// The flow network: a FULL leaf can be cut, so it has a way in and a way out; open leaves that are
+// linked are one node.
+struct Network {
+  std::vector<std::uint32_t> in, out;  // by leaf
+  std::uint32_t nodes = 0;
+
+  Network(const Subdivision& s, const Adjacent& pairs) : in(s.size()), out(s.size()) {
+    Merged merged(s.size());
+    for (const Pair& pair : pairs.open) merged.unite(pair.a, pair.b);
+    for (CellId id = 0; id < s.size(); ++id) {
+      if (merged.find(id) != id) continue;
+      in[id] = nodes++;
+      out[id] = full(s, id) ? nodes++ : in[id];
+    }
+    for (CellId id = 0; id < s.size(); ++id) {
+      in[id] = in[merged.find(id)];
+      out[id] = out[merged.find(id)];
+    }
+  }
+};
+
+// Adds the passable arcs, once each.
+void add_arcs(const Subdivision& s, const Adjacent& pairs, const Network& network,
+              MinimumCut& cut) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> arcs;
+  for (const auto& [a, b] : pairs.full) {
+    arcs.emplace_back(network.out[a], network.in[b]);
+    arcs.emplace_back(network.out[b], network.in[a]);
+  }
+  std::sort(arcs.begin(), arcs.end());
+  arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+  for (const auto& [u, v] : arcs) cut.add_arc(u, v, MinimumCut::kUncuttable, 0);
+  for (const auto& [a, b] : pairs.blocked)
+    if (network.in[a] != network.in[b]) cut.add_arc(network.out[a], network.in[b], 1, 1);
+  for (CellId id = 0; id < s.size(); ++id)
+    if (full(s, id)) cut.add_arc(network.in[id], network.out[id], 1, 0);
 }
 
 // Emits the largest nodes of the kd-tree that lie wholly in the set; true if `node` does.
@@ -79,27 +139,15 @@ std::vector<FullClaim> face_claims(const Subdivision& s, const std::vector<FullC
 
 Barrier find_barrier(const Subdivision& s, const std::vector<FullClaim>& blocked,
                      const std::span<const CellId> start, const std::span<const CellId> goal) {
-  const Network network(s);
-  const auto source = static_cast<std::uint32_t>(network.nodes);
+  const Adjacent pairs = adjacent_pairs(s);
+  const Network network(s, pairs);
+  const std::uint32_t source = network.nodes;
   const std::uint32_t sink = source + 1;
   MinimumCut cut(network.nodes + 2);
-  for (CellId id = 0; id < s.size(); ++id)
-    if (network.in[id] != network.out[id]) cut.add_arc(network.in[id], network.out[id], 1, 0);
-  std::vector<Pair> blocked_pairs;
+  add_arcs(s, pairs, network, cut);
   constexpr std::uint32_t kAll = MinimumCut::kUncuttable;
-  visit_adjacent(s, [&](const CellId a, const CellId b) {
-    if (blocked_pair(s, a, b)) {
-      blocked_pairs.push_back({a, b});
-      cut.add_arc(network.out[a], network.in[b], 1, 1);
-    } else if (network.in[a] == network.out[a] && network.in[b] == network.out[b]) {
-      cut.add_arc(network.in[a], network.in[b], kAll, kAll);
-    } else {
-      cut.add_arc(network.out[a], network.in[b], kAll, 0);
-      cut.add_arc(network.out[b], network.in[a], kAll, 0);
-    }
-  });
   for (const CellId id : start)
-    if (s.cell(id).label != Label::kFull) cut.add_arc(source, network.in[id], kAll, 0);
+    if (!full(s, id)) cut.add_arc(source, network.in[id], kAll, 0);
   for (const CellId id : goal) cut.add_arc(network.out[id], sink, kAll, 0);
   Barrier barrier;
   if (cut.solve(source, sink) >= kAll) return barrier;
@@ -112,7 +160,7 @@ Barrier find_barrier(const Subdivision& s, const std::vector<FullClaim>& blocked
   for (std::size_t i = 0; i < s.roots().size(); ++i)
     collect_boxes(s, {s.roots()[i], s.root_box(i)}, start_side, barrier.start_side);
   std::vector<Pair> crossed;
-  for (const Pair& pair : blocked_pairs)
+  for (const Pair& pair : pairs.blocked)
     if (start_side[pair.a] != start_side[pair.b]) crossed.push_back(pair);
   barrier.faces = face_claims(s, blocked, crossed);
   return barrier;

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <string>
 
 #include "pieces.hpp"
 
@@ -17,8 +18,15 @@ using planner::Evidence;
 using planner::FullClaim;
 using planner::PieceName;
 
-nb::tuple point(const pdg::Vec2 p) {
-  return nb::make_tuple(p.x, p.y);
+template <class... Values>
+nb::list list_of(const Values&... values) {
+  nb::list out;
+  (out.append(values), ...);
+  return out;
+}
+
+nb::list point(const pdg::Vec2 p) {
+  return list_of(p.x, p.y);
 }
 
 const char* owner_name(const pdg::EdgeOwner owner) {
@@ -26,34 +34,43 @@ const char* owner_name(const pdg::EdgeOwner owner) {
 }
 
 // k 2^-level with k odd, or 0.
-nb::tuple plane(const std::uint64_t low) {
+nb::list plane(const std::uint64_t low) {
   const int zeros = low == 0 ? static_cast<int>(planner::kCoordinateBits) : std::countr_zero(low);
   const int level = std::max(0, static_cast<int>(planner::kCoordinateBits) - zeros);
-  return nb::make_tuple(level, low >> (planner::kCoordinateBits - static_cast<unsigned>(level)));
+  return list_of(level, low >> (planner::kCoordinateBits - static_cast<unsigned>(level)));
 }
 
 // [level, k] along each axis; without rotation theta has no extent of its own.
-nb::tuple box_tuple(const planner::Extent& e, const planner::Axis flat, const bool rotation) {
-  std::array<nb::tuple, 3> sides;
+nb::list box_list(const planner::Extent& e, const planner::Axis flat, const bool rotation) {
+  nb::list sides;
   for (planner::Axis axis = 0; axis < planner::kNoAxis; ++axis) {
     const auto shift =
         e.size[axis] == 0 ? 0 : static_cast<unsigned>(std::countr_zero(e.size[axis]));
     if (axis == planner::kTheta && !rotation)
-      sides[axis] = nb::make_tuple(0, 0);
+      sides.append(list_of(0, 0));
     else if (axis == flat)
-      sides[axis] = plane(e.low[axis]);
+      sides.append(plane(e.low[axis]));
     else
-      sides[axis] = nb::make_tuple(planner::kCoordinateBits - shift, e.low[axis] >> shift);
+      sides.append(list_of(planner::kCoordinateBits - shift, e.low[axis] >> shift));
   }
-  return nb::make_tuple(sides[0], sides[1], sides[2]);
+  return sides;
 }
 
-// (robot polygon, piece, obstacle polygon, piece), or a wall's index.
-nb::object pair_name(const Evidence& e, const std::uint32_t obstacle, const std::uint16_t robot) {
-  const PieceName b = e.obstacle_names[obstacle];
-  if (b.polygon == planner::kWall) return nb::int_(b.index);
+nb::list pair_list(const Evidence& e, const std::uint32_t obstacle, const std::uint16_t robot) {
   const PieceName a = e.robot_names[robot];
-  return nb::make_tuple(a.polygon, a.index, b.polygon, b.index);
+  const PieceName b = e.obstacle_names[obstacle];
+  return list_of(a.polygon, a.index, b.polygon, b.index);
+}
+
+// {"pair": [robot polygon, piece, obstacle polygon, piece]} or {"wall": name}.
+nb::dict subject(const Evidence& e, const std::uint32_t obstacle, const std::uint16_t robot) {
+  constexpr std::array<const char*, 4> walls{"x_min", "x_max", "y_min", "y_max"};
+  nb::dict out;
+  if (e.obstacle_names[obstacle].polygon == planner::kWall)
+    out["wall"] = walls[e.obstacle_names[obstacle].index];
+  else
+    out["pair"] = pair_list(e, obstacle, robot);
+  return out;
 }
 
 nb::list terms_list(const planner::Planner& of, const Evidence& e,
@@ -62,13 +79,17 @@ nb::list terms_list(const planner::Planner& of, const Evidence& e,
   const int exponent = of.problem().frame.exponent;
   for (std::size_t k = 0; k < proof.count; ++k) {
     const planner::JointTerm& t = proof.terms[k];
-    nb::object vertex = nb::int_(t.vertex);
+    nb::dict term = subject(e, t.obstacle, t.robot);
     if (e.obstacle_names[t.obstacle].polygon == planner::kWall) {
       const pdg::Vec2 v = of.problem().robot.pieces[t.robot].edges[t.vertex].vertex;
-      vertex = point({std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent)});
+      term["vertex"] = point({std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent)});
+    } else {
+      term["owner"] = owner_name(t.owner);
+      term["edge"] = t.edge;
+      term["vertex"] = t.vertex;
     }
-    out.append(nb::make_tuple(pair_name(e, t.obstacle, t.robot), owner_name(t.owner), t.edge,
-                              vertex, t.weight));
+    term["weight"] = t.weight;
+    out.append(term);
   }
   return out;
 }
@@ -77,13 +98,11 @@ nb::list claims_list(const planner::Planner& of, const Evidence& e,
                      const std::vector<FullClaim>& claims) {
   nb::list out;
   for (const FullClaim& claim : claims) {
-    nb::dict item;
-    item["box"] = box_tuple(claim.box, claim.flat, of.problem().rotation);
+    nb::dict item =
+        claim.joint ? nb::dict() : subject(e, claim.witness.obstacle, claim.witness.robot);
+    item["box"] = box_list(claim.box, claim.flat, of.problem().rotation);
     if (claim.flat != planner::kNoAxis) item["axis"] = claim.flat;
-    if (claim.joint)
-      item["joint"] = terms_list(of, e, claim.proof);
-    else
-      item["pair"] = pair_name(e, claim.witness.obstacle, claim.witness.robot);
+    if (claim.joint) item["joint"] = terms_list(of, e, claim.proof);
     out.append(item);
   }
   return out;
@@ -98,8 +117,23 @@ nb::dict pieces_dict(const planner::PolygonSet& set, const std::vector<std::uint
       for (const pdg::Vec2 v : piece) vertices.append(point(v));
       pieces.append(vertices);
     }
-    out[nb::int_(p)] = pieces;
+    out[std::to_string(p).c_str()] = pieces;
   }
+  return out;
+}
+
+nb::dict interval_dict(const Evidence& e, const planner::ProvenInterval& proven) {
+  nb::list apart;
+  for (const planner::SeparatingEdge& edge : proven.edges) {
+    nb::list item = pair_list(e, edge.obstacle, edge.robot);
+    item.append(owner_name(edge.owner));
+    item.append(edge.edge);
+    apart.append(item);
+  }
+  nb::dict out;
+  out["from"] = proven.interval.begin;
+  out["to"] = proven.interval.end;
+  out["apart"] = apart;
   return out;
 }
 
@@ -107,13 +141,8 @@ nb::list segments_list(const Evidence& e) {
   nb::list segments;
   for (const std::vector<planner::ProvenInterval>& segment : e.segments) {
     nb::list intervals;
-    for (const planner::ProvenInterval& proven : segment) {
-      nb::list edges;
-      for (const planner::SeparatingEdge& edge : proven.edges)
-        edges.append(nb::make_tuple(pair_name(e, edge.obstacle, edge.robot), owner_name(edge.owner),
-                                    edge.edge));
-      intervals.append(nb::make_tuple(proven.interval.begin, proven.interval.end, edges));
-    }
+    for (const planner::ProvenInterval& proven : segment)
+      intervals.append(interval_dict(e, proven));
     segments.append(intervals);
   }
   return segments;
@@ -132,7 +161,7 @@ void add_barrier(const planner::Planner& of, const Evidence& e, nb::dict& out) {
   out["domain"] = domain_dict(of.problem());
   nb::list boxes;
   for (const planner::CellBox& box : e.barrier.start_side)
-    boxes.append(box_tuple(planner::extent_of(box), planner::kNoAxis, of.problem().rotation));
+    boxes.append(box_list(planner::extent_of(box), planner::kNoAxis, of.problem().rotation));
   out["start_side"] = boxes;
   out["full"] = claims_list(of, e, e.barrier.cells);
   out["full_faces"] = claims_list(of, e, e.barrier.faces);
@@ -160,13 +189,13 @@ nb::dict evidence(planner::Planner& planner) {
   out["obstacle_pieces"] = pieces_dict(scene.obstacles, e.polygons);
   if (scene.workspace) {
     const planner::Rectangle outside = scene.obstacles.bounds(of.problem().user_obstacles);
-    out["outside"] = nb::make_tuple(outside.low.x, outside.low.y, outside.high.x, outside.high.y);
+    out["outside"] = list_of(outside.low.x, outside.low.y, outside.high.x, outside.high.y);
   }
   switch (e.kind) {
     case planner::ClaimKind::kPath: {
       nb::list waypoints;
       for (const planner::Configuration& q : e.waypoints)
-        waypoints.append(nb::make_tuple(q.x, q.y, q.theta));
+        waypoints.append(list_of(q.x, q.y, q.theta, 0));
       out["waypoints"] = waypoints;
       out["segments"] = segments_list(e);
       break;
@@ -176,7 +205,7 @@ nb::dict evidence(planner::Planner& planner) {
       for (const pdg::Vec2 v : scene.robot.points) disc.append(point(v));
       out["disc"] = disc;
       const PieceName holder = planner::robot_names(planner.problem().robot)[e.disc_piece];
-      out["inside"] = nb::make_tuple(holder.polygon, holder.index);
+      out["inside"] = list_of(holder.polygon, holder.index);
       add_barrier(of, e, out);
       break;
     }
@@ -188,7 +217,7 @@ nb::dict evidence(planner::Planner& planner) {
       if (e.out_of_bounds)
         out["reference_bounds"] = true;
       else
-        out["pair"] = pair_name(e, e.witness.obstacle, e.witness.robot);
+        out["witness"] = subject(e, e.witness.obstacle, e.witness.robot);
       break;
     case planner::ClaimKind::kNone:
       break;
