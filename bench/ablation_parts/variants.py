@@ -1,0 +1,127 @@
+"""The planner without some of its parts, and how long it takes then."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from timing import Spread
+
+from planar_planner import Options
+from planar_planner._core import Core
+from planar_planner.problem import Problem
+
+FEWEST, MOST = 3, 15
+
+
+@dataclass(frozen=True)
+class Variant:
+    """Parts left out by name (native/parts.hpp), and the query that culls cells."""
+
+    name: str
+    without: tuple[str, ...] = ()
+    query: str = "per-normal"
+
+
+# The published method: level by level, star-shaped cells, no more than the query. The moves that
+# are tried before any subdivision are off throughout, so that all have the same to do.
+PUBLISHED = ("guided", "joint", "cheap")
+TABLE_2 = (
+    Variant("original: no query", PUBLISHED, "none"),
+    Variant("accelerated: Eq. 3", PUBLISHED, "published"),
+    Variant("DISP, radius per piece", PUBLISHED, "displacement"),
+    Variant("per normal", PUBLISHED),
+    Variant("per normal and joint", ("guided", "cheap")),
+    Variant("this planner", ("cheap",)),
+)
+
+PLANNER = Variant("this planner")
+ABLATIONS = (
+    PLANNER,
+    Variant("no joint obstruction", ("joint",)),
+    Variant("no joint, DISP query", ("joint",), "displacement"),
+    Variant("no joint, Eq. 3 query", ("joint",), "published"),
+    Variant("no joint, no query", ("joint",), "none"),
+    Variant("no star test", ("star",)),
+    Variant("level by level", ("guided",)),
+    Variant("search from scratch", ("incremental",)),
+    Variant("cover, not partition", ("partition",)),
+    Variant("no hierarchy", ("hierarchy",)),
+    Variant("no cheap moves", ("cheap",)),
+)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """A query answered by a variant; processor seconds of making a core and asking it."""
+
+    variant: Variant
+    verdict: str
+    reason: str
+    seconds: Spread
+    stats: Mapping[str, Any]
+
+    @property
+    def decided(self) -> bool:
+        """Whether there was an answer within the limits."""
+        return self.verdict != "undecided"
+
+    @property
+    def work(self) -> int:
+        """Return the labelled cells: what a part saves or costs, without clocks."""
+        return int(self.stats["labelled_cells"])
+
+
+def make_core(problem: Problem, variant: Variant) -> Core:
+    """Return a core without the variant's parts."""
+    workspace = problem.workspace
+    return Core(
+        problem.robot.arrays,
+        problem.obstacles.arrays,
+        problem.workspace_box,
+        None if workspace is None else workspace.arrays,
+        problem.reference_bounds,
+        problem.rotation,
+        without=list(variant.without),
+        query=variant.query,
+    )
+
+
+def outcome(problem: Problem, variant: Variant, limits: Options, budget: float) -> Outcome:
+    """Ask fresh cores for about `budget` seconds; slow queries are asked once."""
+    runs: list[tuple[float, dict[str, Any]]] = []
+    began = time.perf_counter()
+    while not runs or _go_on(len(runs), time.perf_counter() - began, budget):
+        before = time.process_time()
+        answer = solve(make_core(problem, variant), problem, limits)
+        runs.append((time.process_time() - before, answer))
+    middle = sorted(runs, key=lambda run: run[0])[len(runs) // 2][1]
+    seconds = Spread.of([run[0] for run in runs])
+    return Outcome(variant, middle["verdict"], middle["reason"], seconds, middle["stats"])
+
+
+def _go_on(done: int, elapsed: float, budget: float) -> bool:
+    if done < FEWEST:
+        return elapsed < FEWEST * budget
+    return done < MOST and elapsed < budget
+
+
+def solve(
+    core: Core,
+    problem: Problem,
+    limits: Options,
+    listener: Callable[[dict[str, Any]], bool] | None = None,
+) -> dict[str, Any]:
+    """Ask a core the problem's own query."""
+    return core.solve(
+        problem.start,
+        problem.goal,
+        limits.resolution,
+        limits.max_cells,
+        limits.timeout,
+        limits.max_memory,
+        limits.contact_tolerance,
+        listener,
+    )

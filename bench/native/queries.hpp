@@ -1,0 +1,55 @@
+// The C-obstacle queries that are compared, each for one cell: is all of it in C-obstacle?
+//
+// From scratch (published, displacement, alone): the pairs of pieces whose bounding circles meet at
+// the cell's centre, from the obstacles' hierarchy, one after another until one proves the cell.
+// Inherited (label, joint): the pairs and axes that the parent cell left undecided, as the planner
+// does it; `joint` adds what several pairs prove together.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "planar_planner/native/cell.hpp"
+#include "planar_planner/native/joint.hpp"
+#include "planar_planner/native/label.hpp"
+#include "planar_planner/native/problem.hpp"
+#include "planar_planner/native/star.hpp"
+
+namespace bench {
+
+enum class Query : std::uint8_t { kPublished, kDisplacement, kAlone, kLabel, kJoint, kCases };
+inline constexpr std::size_t kQueries = 6;
+inline constexpr std::array<const char*, kQueries> kQueryNames{
+    "published",  "displacement",     "per_normal_alone",
+    "per_normal", "per_normal_joint", "per_normal_cases"};
+
+// The planner's parts, put together by hand.
+struct World {
+  World(planner::Scene scene, const planner::Parts& parts, double fixed_theta);
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  planner::Problem problem;
+  planner::ObstacleTree tree;
+  planner::Statistics statistics;
+  planner::Labeller labeller;
+  planner::StarTest star;
+  planner::JointTest joint;
+  planner::CellSpace space;
+  // Scratch of the queries below.
+  std::vector<planner::Witness> near;
+  std::vector<pdg::Constraint> all, left;
+  planner::ConstraintList list, chosen;
+};
+
+// One cell of a walk, and what its parent left undecided.
+struct Visit {
+  planner::Extent box;
+  std::shared_ptr<const planner::ConstraintList> parent;
+};
+
+bool proves(World& world, const Visit& visit, Query query);
+
+}  // namespace bench
