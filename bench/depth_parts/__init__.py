@@ -1,0 +1,3 @@
+"""Parts of ``bench/depth_accuracy.py``: bodies, and oracles that share nothing with the library."""
+
+import provenance  # noqa: F401  (makes scenarios importable)

@@ -1,0 +1,71 @@
+"""DISP and the bounds of the generalized distance D_g between two configurations."""
+
+from __future__ import annotations
+
+import math
+import statistics
+from collections.abc import Iterator
+from decimal import Decimal
+from functools import partial
+
+import numpy as np
+
+import pdg
+from depth_parts.bodies import oval
+from depth_parts.common import ALLOWED, UNIT, Row, in_microseconds, timed
+from depth_parts.exact_depth import Pose, exact_displacement, placed
+
+TURNS = (0.0, 1e-6, 0.1, 0.5, 1.0, 2.0, 3.0)
+EXACT = 20  # configurations for each turn that are compared with 50 places
+
+
+def rows(seed: int, count: int) -> Iterator[Row]:
+    """Yield DISP's error, and the width of the bounds of D_g, for growing turns.
+
+    The upper bound may exceed the lower one by (turn / 2) / sin(turn / 2) at most: turning about
+    the pole of the motion does that (no closed form of D_g is known).
+    """
+    random = np.random.default_rng(seed)
+    body = oval(random, 12)
+    pieces = pdg.convex_pieces(body)
+    for turn in TURNS:
+        ends = [_ends(random, turn) for _ in range(count)]
+        units, errors = [], []
+        for q0, q1 in ends[:EXACT]:
+            truth = exact_displacement(body, q0, q1)
+            off = abs(Decimal(pdg.displacement(pieces, q0, q1)) - truth)
+            scale = max(np.abs(placed(body, q)).max() for q in (q0, q1))
+            units.append(float(off) / (UNIT * scale))
+            errors.append(float(off / truth))
+        yield Row(
+            "DISP",
+            f"turn {turn:g}",
+            "pdg.displacement",
+            statistics.median(errors),
+            max(errors),
+            *in_microseconds(timed(partial(pdg.displacement, pieces, *q)) for q in ends[:50]),
+            max(units) <= ALLOWED,
+            f"off by up to {max(units):.1f} roundings",
+        )
+        bounds = [pdg.generalized_distance_bounds(pieces, q0, q1) for q0, q1 in ends]
+        widths = [upper / lower - 1 for lower, upper in bounds]
+        most = 0.5 * turn / math.sin(0.5 * turn) - 1 if turn else 0.0
+        yield Row(
+            "D_g",
+            f"turn {turn:g}",
+            "upper over lower, less 1",
+            statistics.median(widths),
+            max(widths),
+            *in_microseconds(
+                timed(partial(pdg.generalized_distance_bounds, pieces, *q)) for q in ends[:50]
+            ),
+            min(widths) >= 0 and max(widths) <= most + 1e-12,
+            f"at most {most:.3g} is proven",
+        )
+
+
+def _ends(random: np.random.Generator, turn: float) -> tuple[Pose, Pose]:
+    """Return two configurations that differ by a turn and a random shift."""
+    x, y, dx, dy = (float(v) for v in random.uniform(-2, 2, 4))
+    theta = float(random.uniform(-3, 3))
+    return (x, y, theta), (x + dx, y + dy, theta + turn)
