@@ -24,6 +24,7 @@ QUICK_EXPONENTS = [1.0, 4.0, 8.0, 12.0]
 ULPS = 3  # neighbours of the critical value itself that are tried as well
 CELLS, QUICK_CELLS = 50_000, 20_000
 RESOLUTIONS = {"default": Options().resolution, "finest": 1e-15}
+HALVINGS = 60  # at most; a bracket is below 1e-12 of its value by then
 OFF_MIDDLE = 0.4637  # where a bracket is parted: critical values like to be the middle of something
 
 
@@ -124,10 +125,10 @@ def _monotone(
         return verdict
 
     low, high = bracket
-    while high - low > 1e-12 * high:
+    for _ in range(settings.count(HALVINGS, HALVINGS)):
         between = low + OFF_MIDDLE * (high - low)
         verdict = look(between, levels["finest"])
-        if verdict not in {"path", "no_path"}:
+        if verdict not in {"path", "no_path"} or high - low < 1e-12 * high:
             break
         low, high = (low, between) if verdict == "path" else (between, high)
     for exponent in _exponents(settings):
