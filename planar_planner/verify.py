@@ -90,9 +90,8 @@ def verify_certificate(
     demand(content["scene"] == fingerprint(problem), "scene", "is not the one certified")
     demand(0 <= tolerance <= contact_tolerance, "contact_tolerance", "is more than allowed")
     check_pieces(case, content)
-    claims = {"path": check_path, "separation": check_separation, "disc": check_disc}.get(
-        proof, check_end
-    )(case, content)
+    proofs = {"separation": check_separation, "disc": check_disc, "end": check_end}
+    claims = proofs.get(proof, check_path)(case, content)
     return Report(content["verdict"], proof, tolerance, claims)
 
 
@@ -153,7 +152,7 @@ def _read(value: Any, spec: Any) -> Any:
         read = [_inner(i, each, spec[i if size else 0]) for i, each in enumerate(value)]
         return tuple(read) if size else read
     names = value.keys() if "*" in spec else spec.keys()
-    for name in sorted(names ^ value.keys()):
+    for name in sorted(map(str, names ^ value.keys())):
         raise CertificateError(name[:60], "is missing" if name in spec else "is an unknown field")
     return {name: _inner(name, value[name], spec.get(name, spec.get("*"))) for name in names}
 
@@ -169,8 +168,9 @@ def _inner(name: str | int, value: Any, spec: Any) -> Any:
 
 
 _INDEX, _SPAN = _integer(0, 2**31), (_integer(0, LEVELS), _integer(0, 2**LEVELS))
-_LENGTH, _ANGLE = _number(2**100, UNIT - LEVELS, units), _number(2**20, UNIT)
-_FINITE, _TEXT = _number(2**1000, 1100), _leaf("a string", lambda v: isinstance(v, str))
+_LENGTH, _PART = (_number(limit, UNIT - LEVELS, units) for limit in (2**100, 1))
+_FINITE, _ANGLE = _number(2**1000, 1100), _number(2**20, 1100)
+_TEXT = _leaf("a string", lambda v: isinstance(v, str))
 _POINT, _PAIR, _BOX = (_LENGTH,) * 2, (_INDEX,) * 4, (_SPAN,) * 3
 _DYADICS = [((_integer(low, 2**200), _integer(LEVELS - UNIT, 100)),) * 2 for low in (-(2**200), 1)]
 _OWNER, _WALL, _NO_PATH = _one_of("obstacle", "robot"), _one_of(*NORMALS), _one_of("no_path")
@@ -181,7 +181,7 @@ _PATH = {
     "verdict": _one_of("path"),
     "contact_tolerance": _FINITE,
     "waypoints": [(_LENGTH, _LENGTH, _ANGLE, _integer(-(2**20), 2**20))],
-    "segments": [[{"from": _LENGTH, "to": _LENGTH, "apart": [(*_PAIR, _OWNER, _INDEX)]}]],
+    "segments": [[{"from": _PART, "to": _PART, "apart": [(*_PAIR, _OWNER, _INDEX)]}]],
 }
 _SEPARATION = {
     "verdict": _NO_PATH,
@@ -271,7 +271,7 @@ PI = (16 * _atan_inverse(5) - 4 * _atan_inverse(239)) >> 20  # in 2^-WORK, off b
 
 
 def fixed(radians: Fraction, turns: Fraction) -> int:
-    """Return radians + 2π turns, both at most 2^21, in 2^-WORK: off by less than 2^24."""
+    """Return radians + 2π turns, both at most 2^22, in 2^-WORK: off by less than 2^24."""
     return math.floor(radians * (1 << WORK)) + math.floor(2 * turns * PI)
 
 
@@ -365,11 +365,8 @@ class Case:
     def pair(self, place: str, pair: Pair) -> dict[str, Piece]:
         """Return the pieces that a pair names."""
         p, i, q, j = pair
-        robot, obstacle = (
-            find(place, self.robot_pieces, str(p), i),
-            find(place, self.obstacle_pieces, str(q), j),
-        )
-        return {"robot": robot, "obstacle": obstacle}
+        robot = find(place, self.robot_pieces, str(p), i)
+        return {"robot": robot, "obstacle": find(place, self.obstacle_pieces, str(q), j)}
 
     @cached_property
     def outline(self) -> list[Vector]:
@@ -393,26 +390,25 @@ def make_case(problem: Problem, content: Mapping[str, Any]) -> Case:
         return sides and tuple(map(units, sides))
 
     def edges(box: Region | None) -> dict[str, Edge]:
-        bases = (box[:2], box[2:], box[:2], box[2:]) if box else ()
-        return {
-            wall: Edge(b, n, True) for b, (wall, n) in zip(bases, NORMALS.items(), strict=False)
-        }
-
-    def numbered(shapes: Iterable[Polygon]) -> dict[str, Polygon]:
-        return {str(i): polygon for i, polygon in enumerate(shapes)}
+        if box is None:
+            return {}
+        return {w: Edge(box[2:] if "max" in w else box[:2], n, True) for w, n in NORMALS.items()}
 
     walls, bounds = map(box, (problem.workspace_box, problem.reference_bounds))
     obstacles = list(polygons(problem.obstacles))
     for outer, *holes in polygons(problem.workspace):
         walls = _region(outer)
         xmin, ymin, xmax, ymax = outside = content.get("outside", walls)
-        around = [(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)]
+        frame = [(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)]
         larger = all(map(int.__lt__, outside[:2] + walls[2:], walls[:2] + outside[2:]))
         demand(larger, "outside", "does not hold the workspace in its interior")
-        obstacles += [[around, outer[::-1]], *([hole[::-1]] for hole in holes)]
+        obstacles += [[frame, outer[::-1]], *([hole[::-1]] for hole in holes)]
     start, goal = (((units(x), units(y)), theta) for x, y, theta in (problem.start, problem.goal))
-    robot, around_all = numbered(polygons(problem.robot)), numbered(obstacles)
-    return Case(robot, around_all, edges(walls), edges(bounds), problem.rotation, start, goal)
+    robot, around = (
+        {str(i): polygon for i, polygon in enumerate(shapes)}
+        for shapes in (polygons(problem.robot), obstacles)
+    )
+    return Case(robot, around, edges(walls), edges(bounds), problem.rotation, start, goal)
 
 
 def check_pieces(case: Case, content: Mapping[str, Any]) -> None:
@@ -569,14 +565,10 @@ def check_domain(domain: Domain) -> None:
     There the reference point is at or beyond its bounds, or some vertex is beyond the wall.
     """
     case = domain[0]
-    for side, (axis, k) in {
-        "x_min": (0, 0),
-        "x_max": (0, 1),
-        "y_min": (1, 0),
-        "y_max": (1, 1),
-    }.items():
-        face: Any = tuple((0, k if a == axis else 0) for a in range(3))
-        at = extent("domain", domain, face, axis)
+    for i, side in enumerate(NORMALS):
+        face: Any = [(0, i % 2)] * 3
+        face[1 - i // 2] = face[2] = (0, 0)
+        at = extent("domain", domain, face, i // 2)
         bound, wall = case.bounds.get(side), case.walls.get(side)
         out = bound is not None and max(bound.value(t) for t in at.corners) <= 0
         out = out or (wall is not None and negative_edge(wall, case.outline, at))
@@ -609,12 +601,9 @@ def check_ends(domain: Domain, inside: list[Box]) -> None:
 
     def intervals(pose: Pose) -> list[list[tuple[Fraction, Fraction]]]:
         parts = [Fraction(pose[0][a] - low[a], size[a]) for a in (0, 1)]
-        turns = (
-            Fraction(fixed(Fraction(pose[1]), Fraction()), 2 * PI) % 1
-            if case.turning
-            else Fraction()
-        )
-        error = Fraction(1 if turns else 0, 1 << 180)
+        theta = pose[1] if case.turning else 0
+        turns = Fraction(fixed(Fraction(theta), Fraction()), 2 * PI) % 1
+        error = Fraction(1 if theta else 0, 1 << 180)
         angles = [(turns + n - error, turns + n + error) for n in (-1, 0, 1)]
         return [*([(part, part)] for part in parts), angles]
 
@@ -675,10 +664,9 @@ def covered(needs: Iterable[Region], covers: Iterable[Region], cell: Region) -> 
         for a in (0, 1)
     )  # not both empty: a cover meets the cell and does not hold it
     axis, cuts = (0, xs) if len(xs) > len(ys) else (1, ys)
-    lower: Any = list(cell)
-    upper: Any = list(cell)
-    lower[axis + 2] = upper[axis] = cuts[len(cuts) // 2]
-    return all(covered(needs, covers, part) for part in (lower, upper))
+    parts: list[Any] = [list(cell), list(cell)]
+    parts[0][axis + 2] = parts[1][axis] = cuts[len(cuts) // 2]
+    return all(covered(needs, covers, part) for part in parts)
 
 
 def check_disc(case: Case, content: Mapping[str, Any]) -> int:

@@ -306,6 +306,17 @@ def test_an_angle_at_the_seam_is_on_both_sides() -> None:
             verify_certificate(scene, signed(scene, one))
 
 
+@pytest.mark.parametrize("theta", [1e-300, -1e-300])
+def test_an_angle_too_near_the_seam_is_on_neither_side_for_sure(theta: float) -> None:
+    scene, certificate = hand_made("turning_wall")
+    scene["start"] = [2, 1, theta]
+    with pytest.raises(Rejected, match="does not hold the start"):
+        verify_certificate(scene, signed(scene, certificate))
+    scene |= {"start": [8, 1, 0], "goal": [2, 1, theta]}
+    with pytest.raises(Rejected, match="may hold the goal"):
+        verify_certificate(scene, signed(scene, certificate))
+
+
 def test_contact_tolerance_must_be_allowed() -> None:
     scene, certificate = hand_made("over_block")
     certificate["waypoints"][0][0] -= 2.0**-10

@@ -102,6 +102,7 @@ def spoilt(name: str, *place: Any, by: Any) -> Json:
         ("over_block", ["segments", 0], {}),
         ("over_block", ["segments", 0, 0, "from"], None),
         ("over_block", ["segments", 0, 0, "to"], TINY),
+        ("over_block", ["segments", 0, 0, "to"], 1.0000000000000002),
         ("over_block", ["segments", 0, 0, "apart"], "none"),
         ("over_block", ["segments", 0, 0, "apart", 0], [0, 0, 0, 0, "obstacle"]),
         ("over_block", ["segments", 0, 0, "apart", 0, 4], 0),
