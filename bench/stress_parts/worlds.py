@@ -174,7 +174,7 @@ def _workspace(rng: Random, scene: Scene) -> None:
     room = star(rng, 0.75 * SIDE, (0.5 * SIDE, 0.5 * SIDE), least=0.75)
     holes = [star(rng, 0.6, (0.5 * SIDE + dx, 0.5 * SIDE)) for dx in (-1.0, 1.0)]
     scene["workspace"] = polygon(room, *holes[: rng.randrange(3)])
-    scene["obstacles"] = scene["obstacles"][:1]
+    scene["obstacles"] = scene["obstacles"][-2:]  # the gate, if there is one
 
 
 def _bounds(rng: Random, scene: Scene) -> None:
