@@ -16,8 +16,8 @@ QUERIES = {  # the native program's names, and ours
     "displacement": "PD^t > DISP, radius per piece",
     "per_normal_alone": "per normal, from scratch",
     "per_normal": "per normal",
-    "per_normal_joint": "per normal and joint",
-    "per_normal_cases": "the same with cases (trial)",
+    "per_normal_single": "and joint, one axis a pair",
+    "per_normal_joint": "and joint, case by case",
 }
 DRIVER = "published"  # whose walk is the published population
 COUNTED_CELLS = 12_000  # at most, of a run under valgrind, which is fifty times slower

@@ -70,52 +70,18 @@ bool per_normal(World& world, const pdg::Motion& motion, const pdg::PosedRobot& 
   return false;
 }
 
-// At most so many pairs are told apart by cases, with so many axes together (a product).
-constexpr std::size_t kCasePairs = 3;
-constexpr std::size_t kCaseProduct = 27;
-
-// Is the cell obstructed with each of the pairs `branching` (places in world.list) restricted to
-// any one of its active axes? world.list is the cell's undecided list.
-bool obstructed_in_all_cases(World& world, const pdg::Motion& motion,
-                             const pdg::PosedRobot& posed) {
-  const planner::ConstraintList& list = world.list;
-  if (world.joint.obstructs(motion, posed, view(list))) return true;
-  std::vector<std::size_t> branching;
-  for (std::size_t i = 0; i < list.pairs.size(); ++i)
-    if (list.pairs[i].count > 1) branching.push_back(i);
-  std::stable_sort(branching.begin(), branching.end(),
-                   [&](const std::size_t i, const std::size_t j) {
-                     return list.pairs[i].count < list.pairs[j].count;
-                   });
-  std::size_t product = 1;
-  std::vector<std::size_t> axis(list.pairs.size(), 0);
-  std::vector<std::size_t> used;
-  for (const std::size_t i : branching) {
-    if (used.size() == kCasePairs || product * list.pairs[i].count > kCaseProduct) break;
-    product *= list.pairs[i].count;
-    used.push_back(i);
-  }
-  if (used.empty()) return false;
-  for (std::size_t number = 0; number < product; ++number) {
-    std::size_t rest = number;
-    for (const std::size_t i : used) {
-      axis[i] = rest % list.pairs[i].count;
-      rest /= list.pairs[i].count;
+// Joint obstruction by the pairs of world.list that have a single axis left.
+bool obstructed_by_single(World& world, const pdg::Motion& motion, const pdg::PosedRobot& posed) {
+  world.chosen.clear();
+  std::size_t at = 0;
+  for (const planner::PairHeader& pair : world.list.pairs) {
+    if (pair.count == 1) {
+      world.chosen.pairs.push_back(pair);
+      world.chosen.constraints.push_back(world.list.constraints[at]);
     }
-    planner::ConstraintList& chosen = world.chosen;
-    chosen.clear();
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < list.pairs.size(); ++i) {
-      const planner::PairHeader& pair = list.pairs[i];
-      if (pair.count == 1 || std::find(used.begin(), used.end(), i) != used.end()) {
-        chosen.pairs.push_back({pair.obstacle, pair.robot, 1});
-        chosen.constraints.push_back(list.constraints[at + axis[i]]);
-      }
-      at += pair.count;
-    }
-    if (!world.joint.obstructs(motion, posed, view(chosen))) return false;
+    at += pair.count;
   }
-  return true;
+  return world.joint.obstructs(motion, posed, view(world.chosen));
 }
 
 }  // namespace
@@ -132,14 +98,14 @@ bool proves(World& world, const Visit& visit, const Query query) {
   const pdg::Motion motion = motion_of(world.space, visit.box);
   const pdg::Rotation rotation = rotation_of(world.space, visit.box);
   const pdg::PosedRobot& posed = world.labeller.posed(rotation);
-  if (query == Query::kLabel || query == Query::kJoint || query == Query::kCases) {
+  if (query == Query::kLabel || query == Query::kSingle || query == Query::kJoint) {
     const planner::LabelResult result =
         world.labeller.label(motion, posed, view(*visit.parent), world.list);
     if (result.label == Label::kFull) return true;
     if (query == Query::kLabel || result.label != Label::kMixed || result.separation >= 0.0)
       return false;
     return query == Query::kJoint ? world.joint.obstructs(motion, posed, view(world.list))
-                                  : obstructed_in_all_cases(world, motion, posed);
+                                  : obstructed_by_single(world, motion, posed);
   }
   find_near(world, motion, rotation);
   if (query == Query::kAlone) return per_normal(world, motion, posed);

@@ -19,11 +19,11 @@
 
 namespace bench {
 
-enum class Query : std::uint8_t { kPublished, kDisplacement, kAlone, kLabel, kJoint, kCases };
+enum class Query : std::uint8_t { kPublished, kDisplacement, kAlone, kLabel, kSingle, kJoint };
 inline constexpr std::size_t kQueries = 6;
 inline constexpr std::array<const char*, kQueries> kQueryNames{
-    "published",  "displacement",     "per_normal_alone",
-    "per_normal", "per_normal_joint", "per_normal_cases"};
+    "published",  "displacement",      "per_normal_alone",
+    "per_normal", "per_normal_single", "per_normal_joint"};
 
 // The planner's parts, put together by hand.
 struct World {
