@@ -135,16 +135,17 @@ def _dyadic(value: Fraction) -> list[int]:
 
 
 def _weigh_whole_edges(
-    terms: list[dict[str, Any]], robot: Mapping[str, Any], obstacles: Mapping[str, Any]
+    joint: Mapping[str, Any], robot: Mapping[str, Any], obstacles: Mapping[str, Any]
 ) -> None:
     """Turn weights of unit normals, the core's, into weights of whole edges, the largest 1."""
-    for term in terms:
-        if "pair" not in term:
-            continue
-        p, i, q, j = term["pair"]
-        piece = obstacles[str(q)][j] if term["owner"] == "obstacle" else robot[str(p)][i]
-        edge = term["edge"]
-        term["weight"] /= math.dist(piece[edge], piece[(edge + 1) % len(piece)])
-    heaviest = max(term["weight"] for term in terms)
-    for term in terms:
-        term["weight"] /= heaviest
+    for terms in joint["sums"]:
+        for term in terms:
+            if "wall" in term:
+                continue
+            p, i, q, j = term["pair"]
+            piece = obstacles[str(q)][j] if term["owner"] == "obstacle" else robot[str(p)][i]
+            edge = term["edge"]
+            term["weight"] /= math.dist(piece[edge], piece[(edge + 1) % len(piece)])
+        heaviest = max(term["weight"] for term in terms)
+        for term in terms:
+            term["weight"] /= heaviest

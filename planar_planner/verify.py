@@ -30,6 +30,7 @@ from planar_planner.scene import Scene, load_scene
 
 UNIT, BITS, WORK = 320, 120, 220  # bits after the binary point: lengths; cosines; angles
 LEVELS = 60  # deepest dyadic box
+MOST_CHOICES = 1024  # of separating edges in one joint claim
 HALVINGS = 60  # of a box's angles, in search of one vertex for each part
 MAX_BYTES, MAX_VALUES = 2**28, 2**24  # of a certificate, uncompressed: they bound time and memory
 ONE, HALF_TURN = 1 << UNIT, Fraction(1, 2)
@@ -176,7 +177,8 @@ _DYADICS = [((_integer(low, 2**200), _integer(LEVELS - UNIT, 100)),) * 2 for low
 _OWNER, _WALL, _NO_PATH = _one_of("obstacle", "robot"), _one_of(*NORMALS), _one_of("no_path")
 _TERM = {"pair": _PAIR, "owner": _OWNER, "edge": _INDEX, "vertex": _INDEX, "weight": _FINITE}
 _TERMS = [_any_of(_TERM, {"wall": _WALL, "vertex": _POINT, "weight": _FINITE})]
-_CLAIMS: list[dict[str, Any]] = [{"pair": _PAIR}, {"wall": _WALL}, {"joint": _TERMS}]
+_JOINT = {"axes": [{"pair": _PAIR, "edges": [(_OWNER, _INDEX)]}], "sums": [_TERMS]}
+_CLAIMS: list[dict[str, Any]] = [{"pair": _PAIR}, {"wall": _WALL}, {"joint": _JOINT}]
 _PATH = {
     "verdict": _one_of("path"),
     "contact_tolerance": _FINITE,
@@ -497,22 +499,36 @@ def check_full(case: Case, place: str, claim: Mapping[str, Any], at: Extent) -> 
 
 
 def check_overlap(
-    case: Case, place: str, pair: Pair, at: Extent, but: tuple[str, int] | None = None
+    case: Case, place: str, pair: Pair, at: Extent, but: Sequence[tuple[str, int]] = ()
 ) -> None:
-    """Check FULL by a pair: every separating-axis function is negative, `but` for one edge's."""
+    """Check FULL by a pair: every separating-axis function is negative, `but` for some edges'."""
     pieces = case.pair(place, pair)
     for owner, other in (("obstacle", "robot"), ("robot", "obstacle")):
         for i, edge in enumerate(pieces[owner].edges):
-            negated = (owner, i) == but or negative_edge(edge, pieces[other].vertices, at)
+            negated = (owner, i) in but or negative_edge(edge, pieces[other].vertices, at)
             demand(negated, f"{place}, edge {i} of the {owner}", "may separate the pair")
 
 
-def check_joint(case: Case, place: str, terms: list[Any], at: Extent) -> None:
-    """Check FULL jointly: the weighted sum of terms, none negative where all is free, is negative.
+def check_joint(case: Case, place: str, joint: Mapping[str, Any], at: Extent) -> None:
+    """Check FULL jointly: whichever of the edges listed separate their pairs, a sum refutes it.
 
-    That none is holds because, of each pair, only the edge of its terms may separate.
+    No other edge of these pairs separates; where all is free, one of each pair's does.
     """
-    edges: dict[Pair, tuple[str, int]] = {}
+    for entry in joint["axes"]:
+        check_overlap(case, place, entry["pair"], at, entry["edges"])
+    edges = {entry["pair"]: entry["edges"] for entry in joint["axes"]}
+    refuted = [check_sum(case, place, terms, at) for terms in joint["sums"]]
+    few = math.prod(map(len, edges.values())) <= MOST_CHOICES
+    demand(few, place, "leaves too many choices of separating edges")
+    for choice in product(*edges.values()):
+        chosen = dict(zip(edges, choice, strict=True))
+        hit = any(used.items() <= chosen.items() for used in refuted)
+        demand(hit, place, "does not refute every choice of separating edges")
+
+
+def check_sum(case: Case, place: str, terms: list[Any], at: Extent) -> dict[Pair, tuple[str, int]]:
+    """Check that a weighted sum of terms is negative, and return which edge it has of each pair."""
+    used: dict[Pair, tuple[str, int]] = {}
     parts: list[tuple[Edge, Vector]] = []
     for term in terms:
         if "wall" in term:
@@ -521,13 +537,11 @@ def check_joint(case: Case, place: str, terms: list[Any], at: Extent) -> None:
             parts.append((find(place, case.walls, term["wall"]), term["vertex"]))
         else:
             pieces, owner = case.pair(place, term["pair"]), term["owner"]
-            only = edges.setdefault(term["pair"], (owner, term["edge"]))
-            demand(only == (owner, term["edge"]), place, "has two edges of a pair")
+            only = used.setdefault(term["pair"], (owner, term["edge"]))
+            demand(only == (owner, term["edge"]), place, "has two edges of a pair in one sum")
             other = pieces["robot" if owner == "obstacle" else "obstacle"]
             edge = find(place, pieces[owner].edges, term["edge"])
             parts.append((edge, find(place, other.vertices, term["vertex"])))
-    for pair, only in edges.items():
-        check_overlap(case, place, pair, at, but=only)
     weights = [Fraction(term["weight"]) for term in terms]
     demand(min(weights, default=0) >= 0, place, "has a negative weight")
     scale = math.lcm(*(weight.denominator for weight in weights))
@@ -537,6 +551,7 @@ def check_joint(case: Case, place: str, terms: list[Any], at: Extent) -> None:
             sums = [a + int(weight * scale) * b for a, b in zip(sums, edge.term(v, t), strict=True)]
         below = negative(sums[0], sums[1], sums[2], part.ends())
         demand(below, place, "the weighted sum may be 0 or more")
+    return used
 
 
 # --- Verdict no_path ---

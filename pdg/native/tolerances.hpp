@@ -39,9 +39,9 @@ inline constexpr double kWidestCoupledTurn = 0.5;
 // 1.5 separation errors.
 inline constexpr double kGuardErrorFactor = 1.5;
 
-// A weighted sum of up to four functions, per unit of weight: at most 75 u (A + B + T) (of T), that
-// is 1.25 separation errors.
-inline constexpr double kJointErrorFactor = 1.25;
+// A weighted sum of up to four functions, per unit of weight: at most 97 u (A + B + T) (of T), that
+// is less than 1.75 separation errors.
+inline constexpr double kJointErrorFactor = 1.75;
 
 // Slack, in the sine of an angle, with which an edge counts as aligned with a direction within a
 // half-angle: normals 4 and 10 u, cross product 2 u, sin h 2 u. Counting one edge too many only

@@ -73,24 +73,48 @@ nb::dict subject(const Evidence& e, const std::uint32_t obstacle, const std::uin
   return out;
 }
 
-nb::list terms_list(const planner::Planner& of, const Evidence& e,
-                    const planner::JointProof& proof) {
+// The edges of each pair that may separate it; a wall has only its own.
+nb::list axes_list(const Evidence& e, const planner::JointProof& proof) {
   nb::list out;
-  const int exponent = of.problem().frame.exponent;
-  for (std::size_t k = 0; k < proof.count; ++k) {
-    const planner::JointTerm& t = proof.terms[k];
-    nb::dict term = subject(e, t.obstacle, t.robot);
-    if (e.obstacle_names[t.obstacle].polygon == planner::kWall) {
-      const pdg::Vec2 v = of.problem().robot.pieces[t.robot].edges[t.vertex].vertex;
-      term["vertex"] = point({std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent)});
-    } else {
-      term["owner"] = owner_name(t.owner);
-      term["edge"] = t.edge;
-      term["vertex"] = t.vertex;
-    }
-    term["weight"] = t.weight;
-    out.append(term);
+  for (const planner::PairAxes& pair : proof.pairs) {
+    if (e.obstacle_names[pair.obstacle].polygon == planner::kWall) continue;
+    nb::list edges;
+    for (const planner::PairAxes::Axis& axis : pair.axes)
+      edges.append(list_of(owner_name(axis.owner), axis.edge));
+    nb::dict item;
+    item["pair"] = pair_list(e, pair.obstacle, pair.robot);
+    item["edges"] = edges;
+    out.append(item);
   }
+  return out;
+}
+
+nb::dict term_dict(const planner::Planner& of, const Evidence& e, const planner::JointTerm& term) {
+  nb::dict out = subject(e, term.obstacle, term.robot);
+  if (e.obstacle_names[term.obstacle].polygon == planner::kWall) {
+    const int exponent = of.problem().frame.exponent;
+    const pdg::Vec2 v = of.problem().robot.pieces[term.robot].edges[term.vertex].vertex;
+    out["vertex"] = point({std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent)});
+  } else {
+    out["owner"] = owner_name(term.owner);
+    out["edge"] = term.edge;
+    out["vertex"] = term.vertex;
+  }
+  out["weight"] = term.weight;
+  return out;
+}
+
+nb::dict joint_dict(const planner::Planner& of, const Evidence& e,
+                    const planner::JointProof& proof) {
+  nb::list sums;
+  for (const planner::JointSum& sum : proof.sums) {
+    nb::list terms;
+    for (const planner::JointTerm& term : sum) terms.append(term_dict(of, e, term));
+    sums.append(terms);
+  }
+  nb::dict out;
+  out["axes"] = axes_list(e, proof);
+  out["sums"] = sums;
   return out;
 }
 
@@ -102,7 +126,7 @@ nb::list claims_list(const planner::Planner& of, const Evidence& e,
         claim.joint ? nb::dict() : subject(e, claim.witness.obstacle, claim.witness.robot);
     item["box"] = box_list(claim.box, claim.flat, of.problem().rotation);
     if (claim.flat != planner::kNoAxis) item["axis"] = claim.flat;
-    if (claim.joint) item["joint"] = terms_list(of, e, claim.proof);
+    if (claim.joint) item["joint"] = joint_dict(of, e, claim.proof);
     out.append(item);
   }
   return out;

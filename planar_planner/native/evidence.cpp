@@ -73,7 +73,7 @@ void collect_polygons(Evidence& evidence) {
   for (const std::vector<FullClaim>* claims : {&evidence.barrier.cells, &evidence.barrier.faces})
     for (const FullClaim& claim : *claims) {
       if (!claim.joint) add(claim.witness.obstacle);
-      for (std::size_t k = 0; k < claim.proof.count; ++k) add(claim.proof.terms[k].obstacle);
+      for (const PairAxes& pair : claim.proof.pairs) add(pair.obstacle);
     }
   if (evidence.kind == ClaimKind::kEnd && !evidence.out_of_bounds) add(evidence.witness.obstacle);
   sort_unique(evidence.polygons);

@@ -1,8 +1,8 @@
 // What proves that a cell or a face lies in C-obstacle: evidence for certificates.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "cell.hpp"
 #include "label.hpp"
@@ -20,12 +20,26 @@ struct JointTerm {
   double weight = 0.0;
 };
 
-// A weighted sum that is negative all over the cell (joint.hpp): at most one term for each unknown
-// of the linear programme, and one more.
+// A weighted sum that is negative all over the cell.
+using JointSum = std::vector<JointTerm>;
+
+// All separating-axis functions of a pair that can be >= 0 somewhere in the cell.
+struct PairAxes {
+  struct Axis {
+    pdg::EdgeOwner owner;
+    std::uint16_t edge;
+  };
+  std::uint32_t obstacle = 0;
+  std::uint16_t robot = 0;
+  std::vector<Axis> axes;
+};
+
+// For every choice of one axis of each pair, one of the sums has terms of chosen axes only.
 struct JointProof {
-  static constexpr std::size_t kTerms = 4;
-  std::array<JointTerm, kTerms> terms;
-  std::size_t count = 0;
+  std::vector<PairAxes> pairs;
+  std::vector<JointSum> sums;
+
+  [[nodiscard]] std::size_t bytes() const;
 };
 
 // Every configuration of the closed box is in C-obstacle: by one pair, or by several together.

@@ -61,10 +61,16 @@ void Refinement::run() {
         return query_.conclude(Verdict::kUndecided, "resolution reached");
     }
     statistics_.channel_length = channel.size();
-    if (split_mixed(problem_.parts.guided ? channel : all_cells())) continue;
+    const bool everywhere = !problem_.parts.guided && !solid(channel);
+    if (split_mixed(everywhere ? all_cells() : channel)) continue;
     if (!link(channel)) continue;
     if (finish(channel)) return;
   }
+}
+
+bool Refinement::solid(const std::vector<CellId>& channel) const {
+  return std::all_of(channel.begin(), channel.end(),
+                     [&](const CellId id) { return subdivision_.cell(id).solid(); });
 }
 
 // Level by level there is no channel: every leaf is as good as any other.

@@ -24,6 +24,7 @@ class Refinement {
   void run();
 
  private:
+  [[nodiscard]] bool solid(const std::vector<CellId>& channel) const;
   [[nodiscard]] std::vector<CellId> all_cells() const;
   bool split_mixed(const std::vector<CellId>& channel);
   bool link(const std::vector<CellId>& channel);

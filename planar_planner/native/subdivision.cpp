@@ -103,8 +103,7 @@ std::uint64_t Subdivision::guard_turns(const CellId id) const {
 
 std::size_t Subdivision::bytes() const {
   return cells_.capacity() * sizeof(Cell) + branches_.capacity() * sizeof(Branch) +
-         guards_.capacity() * sizeof(Vec2) + proofs_.capacity() * sizeof(JointProof) +
-         store_.bytes() + neighbour_bytes_;
+         guards_.capacity() * sizeof(Vec2) + proof_bytes_ + store_.bytes() + neighbour_bytes_;
 }
 
 FullClaim Subdivision::claim(const CellId id) const {
@@ -204,8 +203,8 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
       cell.label = Label::kFull;
       cell.joint = true;
       cell.proof = static_cast<std::uint32_t>(proofs_.size());
-      grow(proofs_);
       proofs_.push_back(joint_.proof());
+      proof_bytes_ += proofs_.back().bytes();
       ++statistics_.joint_cells;
     } else if (!parts.star) {
       // left MIXED

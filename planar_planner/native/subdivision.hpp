@@ -135,6 +135,7 @@ class Subdivision {
   ConstraintList parent_list_, child_list_;
   std::vector<CellId> below_, above_;
   std::size_t neighbour_bytes_ = 0;
+  std::size_t proof_bytes_ = 0;
   bool any_exhausted_ = false;
 };
 

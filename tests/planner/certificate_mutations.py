@@ -51,8 +51,16 @@ def _apart(certificate: Json) -> list[Any]:
     return [each for intervals in segments for interval in intervals for each in interval["apart"]]
 
 
+def _joints(certificate: Json) -> list[Json]:
+    return [claim["joint"] for claim in _claims(certificate) if "joint" in claim]
+
+
+def _sums(certificate: Json) -> list[Any]:
+    return [terms for joint in _joints(certificate) for terms in joint["sums"]]
+
+
 def _terms(certificate: Json) -> list[Any]:
-    return [term for claim in _claims(certificate) for term in claim.get("joint", [])]
+    return [term for terms in _sums(certificate) for term in terms]
 
 
 def _is_path(certificate: Json) -> bool:
@@ -663,38 +671,80 @@ def start_outside_its_side(scene: Json, certificate: Json) -> Mutant:
 
 @mutation
 def joint_term_dropped(scene: Json, certificate: Json) -> Mutant:
-    joint = [claim for claim in _claims(certificate) if "joint" in claim]
-    for claim in joint:
-        claim["joint"].pop()
-    return (scene, certificate) if joint else None
+    for terms in _sums(certificate):
+        terms.pop()
+    return (scene, certificate) if _joints(certificate) else None
 
 
 @mutation
 def joint_terms_all_dropped(scene: Json, certificate: Json) -> Mutant:
-    joint = [claim for claim in _claims(certificate) if "joint" in claim]
-    for claim in joint:
-        claim["joint"] = []
-    return (scene, certificate) if joint else None
+    for terms in _sums(certificate):
+        terms.clear()
+    return (scene, certificate) if _joints(certificate) else None
+
+
+@mutation
+def sums_dropped(scene: Json, certificate: Json) -> Mutant:
+    for joint in _joints(certificate):
+        joint["sums"] = []
+    return (scene, certificate) if _joints(certificate) else None
+
+
+@mutation
+def one_more_edge_may_separate(scene: Json, certificate: Json) -> Mutant:
+    """A pair gets a further edge to choose, which no sum refutes."""
+    for joint in _joints(certificate):
+        for entry in joint["axes"]:
+            edges = [list(edge) for edge in entry["edges"]]
+            more = next(i for i in range(3) if ["obstacle", i] not in edges)
+            entry["edges"].append(["obstacle", more])
+            return scene, certificate
+    return None
+
+
+@mutation
+def edge_that_may_separate_denied(scene: Json, certificate: Json) -> Mutant:
+    for joint in _joints(certificate):
+        for entry in joint["axes"]:
+            entry["edges"] = entry["edges"][1:]
+    return (scene, certificate) if any(j["axes"] for j in _joints(certificate)) else None
+
+
+@mutation
+def pair_of_a_joint_claim_unlisted(scene: Json, certificate: Json) -> Mutant:
+    changed = [joint for joint in _joints(certificate) if joint["axes"]]
+    for joint in changed:
+        joint["axes"] = []
+    return (scene, certificate) if changed else None
+
+
+@mutation
+def too_many_choices(scene: Json, certificate: Json) -> Mutant:
+    """The one edge that may separate is listed very often, each refuted: true, but endless."""
+    for joint in _joints(certificate):
+        for entry in joint["axes"]:
+            entry["edges"] = entry["edges"] * 2000
+            return scene, certificate
+    return None
 
 
 @mutation
 def weight_changed(scene: Json, certificate: Json) -> Mutant:
-    for claim in _claims(certificate):
-        if "joint" in claim:
-            claim["joint"][0]["weight"] *= 64
-            claim["joint"][-1]["weight"] /= 64
+    for terms in _sums(certificate):
+        terms[0]["weight"] *= 64
+        terms[-1]["weight"] /= 64
     return (scene, certificate) if _terms(certificate) else None
 
 
 @mutation
 def weight_negative(scene: Json, certificate: Json) -> Mutant:
     """A wall's term that is large enough to make any sum negative, if weights may be."""
-    for claim in _claims(certificate):
-        for term in claim.get("joint", []):
+    for terms in _sums(certificate):
+        for term in terms:
             if "wall" in term:
                 other = {"x_min": "x_max", "x_max": "x_min", "y_min": "y_max", "y_max": "y_min"}
                 false = {**term, "wall": other[term["wall"]], "weight": -64.0}
-                claim["joint"].append(false)
+                terms.append(false)
                 return scene, certificate
     return None
 
@@ -702,10 +752,10 @@ def weight_negative(scene: Json, certificate: Json) -> Mutant:
 @mutation
 def term_of_another_edge(scene: Json, certificate: Json) -> Mutant:
     """A pair has terms of two edges, the second one without weight."""
-    for claim in _claims(certificate):
-        for term in claim.get("joint", []):
+    for terms in _sums(certificate):
+        for term in terms:
             if "pair" in term:
-                claim["joint"].append({**term, "edge": (term["edge"] + 1) % 3, "weight": 0.0})
+                terms.append({**term, "edge": (term["edge"] + 1) % 3, "weight": 0.0})
                 return scene, certificate
     return None
 

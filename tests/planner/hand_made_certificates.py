@@ -113,16 +113,21 @@ def gap() -> tuple[Json, Json]:
                 {
                     "box": [[1, 1], [2, 0], WHOLE],
                     "axis": 0,
-                    "joint": [
-                        {"wall": "y_min", "vertex": [0.0, -0.5], "weight": 1.0},
-                        {
-                            "pair": PAIR,
-                            "owner": "obstacle",
-                            "edge": 0,
-                            "vertex": 2,
-                            "weight": 0.5,  # the edge is 2 long
-                        },
-                    ],
+                    "joint": {
+                        "axes": [{"pair": PAIR, "edges": [["obstacle", 0]]}],
+                        "sums": [
+                            [
+                                {"wall": "y_min", "vertex": [0.0, -0.5], "weight": 1.0},
+                                {
+                                    "pair": PAIR,
+                                    "owner": "obstacle",
+                                    "edge": 0,
+                                    "vertex": 2,
+                                    "weight": 0.5,  # the edge is 2 long
+                                },
+                            ]
+                        ],
+                    },
                 },
             ],
         ),
