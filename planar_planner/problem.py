@@ -23,7 +23,7 @@ from planar_planner.fields import Box, Configuration
 from planar_planner.limits import MAX_ROBOT_VERTICES
 from planar_planner.raw_polygons import read_polygons
 from planar_planner.scene import Scene
-from planar_planner.validity import clean_polygons
+from planar_planner.validity import Judge, clean_polygons, judged_exactly
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,8 +99,15 @@ class Problem:
     goal: Configuration
 
 
-def make_problem(scene: Scene) -> Problem:
+def make_problem(scene: Scene, judge: Judge = judged_exactly) -> Problem:
     """Check a raw scene and turn it into a problem.
+
+    Parameters
+    ----------
+    scene : Scene
+        As read.
+    judge : callable, optional
+        Who decides whether a polygon is simple: by default exact arithmetic.
 
     Raises
     ------
@@ -108,11 +115,11 @@ def make_problem(scene: Scene) -> Problem:
         On the first thing that is wrong, with file, field path and value.
     """
     try:
-        workspace_box, workspace = _workspace(scene.workspace)
+        workspace_box, workspace = _workspace(scene.workspace, judge)
         reference_bounds = _reference_bounds(scene)
-        robot = clean_polygons(read_polygons([("robot", scene.robot)]))
+        robot = clean_polygons(read_polygons([("robot", scene.robot)]), judge)
         _check_size(len(robot.coords))
-        obstacles = clean_polygons(read_polygons(_listed(scene.obstacles, "obstacles")))
+        obstacles = clean_polygons(read_polygons(_listed(scene.obstacles, "obstacles")), judge)
         rotation = fields.truth(scene.rotation, "rotation")
         start = fields.configuration(scene.start, "start")
         goal = _reachable_goal(rotation, start, fields.configuration(scene.goal, "goal"))
@@ -168,7 +175,7 @@ def _given(value: Any, field: str) -> Configuration:
     return fields.configuration(plain, field)
 
 
-def _workspace(value: Any) -> tuple[Box | None, Polygons | None]:
+def _workspace(value: Any, judge: Judge) -> tuple[Box | None, Polygons | None]:
     if value is None:
         return None, None
     members = fields.mapping(value, "workspace")
@@ -178,7 +185,7 @@ def _workspace(value: Any) -> tuple[Box | None, Polygons | None]:
     if "type" not in members:
         fields.only_known(members, ["box", "type", "coordinates"], "workspace")
         raise SceneError('must be {"box": [xmin, ymin, xmax, ymax]} or a Polygon', "workspace")
-    shape = clean_polygons(read_polygons([("workspace", value)]))
+    shape = clean_polygons(read_polygons([("workspace", value)]), judge)
     if len(shape.paths) != 1:
         raise SceneError("must be one polygon", "workspace", f"{len(shape.paths)} polygons")
     polygon = Polygons(shape.coords, shape.ring_starts, shape.polygon_starts)

@@ -173,9 +173,11 @@ def _without_duplicates(pairs: list[tuple[str, object]]) -> dict[str, object]:
     """Build an object, refusing a field that stands twice: JSON leaves open which one counts."""
     result = dict(pairs)
     if len(result) != len(pairs):
-        names = [name for name, _ in pairs]
-        twice = next(name for name in names if names.count(name) > 1)
-        raise SceneError("field appears more than once", cut(twice))
+        seen: set[str] = set()
+        for name, _ in pairs:
+            if name in seen:
+                raise SceneError("field appears more than once", cut(name))
+            seen.add(name)
     return result
 
 

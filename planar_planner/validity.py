@@ -9,6 +9,7 @@ other: each is checked on its own.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from fractions import Fraction
 
 import numpy as np
@@ -19,12 +20,22 @@ from planar_planner.raw_polygons import RawPolygons
 
 _UNIT_ROUNDOFF = 2.0**-53
 
+Defect = tuple[int, str]  # index of the first polygon that is not valid, and what is wrong where
+Judge = Callable[[RawPolygons], Defect | None]  # of rings with area, without repeated vertices
 
-def clean_polygons(raw: RawPolygons) -> RawPolygons:
+
+def clean_polygons(raw: RawPolygons, judge: Judge) -> RawPolygons:
     """Return the same shapes without repeated vertices, having checked every one.
 
     The repeated last vertex of a closed ring is dropped like any vertex equal to its successor.
     Collinear vertices and orientations stay as they are.
+
+    Parameters
+    ----------
+    raw : RawPolygons
+        As written.
+    judge : callable
+        Finds the first polygon that is invalid as a simple feature.
 
     Raises
     ------
@@ -34,7 +45,10 @@ def clean_polygons(raw: RawPolygons) -> RawPolygons:
     """
     clean = _without_repeats(raw)
     _check_area(clean)
-    _check_simple(clean)
+    defect = judge(clean) if clean.paths else None
+    if defect is not None:
+        polygon, problem = defect
+        raise SceneError(f"polygon is not valid: {problem}", clean.paths[polygon])
     return clean
 
 
@@ -64,8 +78,8 @@ def _successors(ring_starts: NDArray[np.uint32]) -> NDArray[np.int64]:
 def _check_area(polygons: RawPolygons) -> None:
     """Reject rings whose vertices all lie on one line.
 
-    A ring that encloses no area either lies on a line or intersects itself; `_check_simple` finds
-    the second kind. The doubled area a = Σ dᵢ × dᵢ₊₁, with d the vertices from the ring's first,
+    A ring that encloses no area either lies on a line or intersects itself; the judge of shapes
+    finds the second kind. The doubled area a = Σ dᵢ × dᵢ₊₁, d the vertices from the ring's first,
     is computed with an error below (n + 8)·u·Σ(|xᵢyᵢ₊₁| + |yᵢxᵢ₊₁|): u for each difference and
     product, n for the sum, the rest to spare. Only rings within it need the exact test.
     """
@@ -98,11 +112,16 @@ def _check_not_flat(ring: NDArray[np.float64], path: str) -> None:
     raise SceneError("ring has zero area: all its points lie on one line", path)
 
 
-def _check_simple(polygons: RawPolygons) -> None:
-    """Reject polygons that are invalid as simple features, and say why and where."""
-    if not polygons.paths:
-        return
-    import shapely  # type: ignore[import-untyped]  # a tenth of a second: only where shapes are checked
+def judged_exactly(polygons: RawPolygons) -> Defect | None:
+    """Judge by `pdg`, in exact arithmetic: what the planner takes is valid for the very doubles."""
+    from pdg._core import first_defect
+
+    return first_defect(polygons.coords, polygons.ring_starts, polygons.polygon_starts)
+
+
+def judged_by_geos(polygons: RawPolygons) -> Defect | None:
+    """Judge by shapely, for who wants nothing of the planner's own; wrong within rounding only."""
+    import shapely  # type: ignore[import-untyped]  # a tenth of a second: only where it is asked
 
     ring_of_vertex = np.repeat(
         np.arange(len(polygons.ring_starts) - 1), np.diff(polygons.ring_starts)
@@ -111,15 +130,15 @@ def _check_simple(polygons: RawPolygons) -> None:
     rings = shapely.linearrings(polygons.coords, indices=ring_of_vertex)
     shapes = shapely.polygons(rings, indices=polygon_of_ring)
     bad = np.flatnonzero(~shapely.is_valid(shapes))
-    if len(bad):
-        reason = str(shapely.is_valid_reason(shapes[bad[0]]))
-        raise SceneError(_readable(reason), polygons.paths[int(bad[0])])
+    if not len(bad):
+        return None
+    return int(bad[0]), _readable(str(shapely.is_valid_reason(shapes[bad[0]])))
 
 
 def _readable(reason: str) -> str:
     """Turn GEOS's ``Self-intersection[1 2]`` into ``self-intersection at (1, 2)``."""
     match = re.fullmatch(r"(.*)\[(\S+) (\S+)\]", reason)
     if match is None:
-        return f"polygon is not valid: {reason.lower()}"
+        return reason.lower()
     what, x, y = match.groups()
-    return f"polygon is not valid: {what.lower()} at ({x}, {y})"
+    return f"{what.lower()} at ({x}, {y})"

@@ -1,11 +1,18 @@
 // Python bindings of the pdg core: arrays in, plain tuples out. The Python layer validates first.
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <array>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -18,6 +25,7 @@
 #include "piece_set.hpp"
 #include "predicates.hpp"
 #include "translational_depth.hpp"
+#include "validity.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -180,6 +188,35 @@ void bind_motions(nb::module_& m) {
       "half"_a, "radius"_a);
 }
 
+// What is wrong with a polygon and where, if anything is.
+std::optional<std::string> complaint(const pdg::Polygon& polygon) {
+  try {
+    const std::optional<pdg::Defect> defect = pdg::find_defect(polygon);
+    if (!defect) return std::nullopt;
+    std::array<char, 64> place{};
+    std::snprintf(place.data(), place.size(), " at (%.15g, %.15g)", defect->where.x,
+                  defect->where.y);
+    return defect->what + std::string(place.data());
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+void bind_validity(nb::module_& m) {
+  m.def(
+      "first_defect",
+      [](const Coords& coords, const Starts& ring_starts,
+         const Starts& polygon_starts) -> std::optional<std::tuple<std::size_t, std::string>> {
+        const std::vector<pdg::Polygon> polygons = to_polygons(coords, ring_starts, polygon_starts);
+        const nb::gil_scoped_release release;
+        for (std::size_t p = 0; p < polygons.size(); ++p) {
+          if (auto found = complaint(polygons[p])) return std::tuple{p, *std::move(found)};
+        }
+        return std::nullopt;
+      },
+      "coords"_a, "ring_starts"_a, "polygon_starts"_a);
+}
+
 }  // namespace
 
 NB_MODULE(_core, m) {  // NOLINT(bugprone-signed-bitwise): inside the macro
@@ -188,4 +225,5 @@ NB_MODULE(_core, m) {  // NOLINT(bugprone-signed-bitwise): inside the macro
   bind_piece_set(m);
   bind_depths(m);
   bind_motions(m);
+  bind_validity(m);
 }

@@ -23,6 +23,7 @@ struct PointMesh {
   std::vector<std::uint8_t> odd;    // per half-edge: covered by an odd number of constraints
   std::vector<Index> outgoing;      // per point: one half-edge that starts there, or kNone
   std::vector<Index> hull_edge;     // per hull point: the hull half-edge that starts there
+  std::uint64_t steps = 0;          // work spent on constraints
 
   static constexpr Index next(const Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static constexpr Index prev(const Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -35,9 +36,12 @@ struct PointMesh {
   static constexpr std::size_t at(const Index i) { return static_cast<std::size_t>(i); }
 };
 
-// Delaunay-like triangulation of the convex hull of the points (sorted, distinct). Empty when all
-// points are collinear.
-PointMesh triangulate_points(std::vector<Vec2> sorted_points);
+// Makes a and b opposite; b may be kNone.
+void link(PointMesh& mesh, Index a, Index b);
+
+// Appends the counter-clockwise triangle (a, b, c), linked to nothing; returns its half-edge a ->
+// b.
+Index add_triangle(PointMesh& mesh, Index a, Index b, Index c);
 
 // First half-edge of v in counter-clockwise order: the hull's one when v is on the hull.
 Index first_outgoing(const PointMesh& mesh, Index v);

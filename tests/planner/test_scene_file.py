@@ -127,6 +127,13 @@ def test_what_is_no_scene_object(tmp_path: Path, text: str | bytes, expected: st
     assert "scene.json" in found
 
 
+def test_many_fields_of_which_one_stands_twice(tmp_path: Path) -> None:
+    """Not a benchmark: looking for the name by counting each would take hours."""
+    fields = ",".join(f'"a{i}": 1' for i in range(300_000))
+    text = "{" + fields + ', "a299999": 2}'
+    assert "a299999: field appears" in message(write(tmp_path, text))
+
+
 @pytest.mark.parametrize("depth", [500, 900, 950, 985])
 def test_nesting_that_json_still_reads(
     tmp_path: Path, scene_dict: dict[str, Any], depth: int

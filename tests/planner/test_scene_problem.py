@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from planar_planner.errors import SceneError
 from planar_planner.problem import Problem, make_problem, with_query
 from planar_planner.scene import load_scene
+from planar_planner.validity import Judge, judged_by_geos, judged_exactly
 
 
 def problem_of(content: dict[str, Any]) -> Problem:
@@ -367,16 +368,17 @@ def test_any_value_anywhere_is_accepted_or_a_scene_error(place: Any, value: Any)
         assert np.diff(problem.robot.ring_starts).min() >= 3
 
 
+@pytest.mark.parametrize("judge", [judged_exactly, judged_by_geos])
 @settings(max_examples=300, deadline=None)
 @given(
-    st.lists(
+    ring=st.lists(
         st.lists(
             st.integers(-4, 4) | st.sampled_from([1e12, 1e-50, 0.1, 0.3]), min_size=2, max_size=2
         ),
         max_size=7,
     )
 )
-def test_rings_agree_with_shapely_one_by_one(ring: list[list[float]]) -> None:
+def test_rings_agree_with_shapely_one_by_one(judge: Judge, ring: list[list[float]]) -> None:
     """The vectorised gate accepts exactly the rings that shapely alone finds simple."""
     import shapely
 
@@ -385,11 +387,82 @@ def test_rings_agree_with_shapely_one_by_one(ring: list[list[float]]) -> None:
     valid = len(distinct) >= 3 and bool(shapely.Polygon(no_repeats).is_valid)
     content = copy.deepcopy(VALID) | {"obstacles": [polygon(ring)]}
     try:
-        problem_of(content)
+        make_problem(load_scene(content), judge)
     except SceneError:
         assert not valid
     else:
         assert valid
+
+
+GRID_RING = st.lists(st.lists(st.integers(0, 4), min_size=2, max_size=2), min_size=3, max_size=5)
+
+
+@settings(max_examples=400, deadline=None)
+@given(st.lists(GRID_RING, min_size=1, max_size=3))
+def test_both_judges_agree_where_nothing_is_rounded(holes: list[list[list[float]]]) -> None:
+    shell = [[0, 0], [4, 0], [4, 4], [0, 4]]
+    content = copy.deepcopy(VALID) | {"obstacles": [polygon(shell, *holes)]}
+    messages = []
+    for judge in (judged_exactly, judged_by_geos):
+        try:
+            make_problem(load_scene(content), judge)
+        except SceneError as error:
+            messages.append(error.field)
+        else:
+            messages.append("valid")
+    assert messages[0] == messages[1]
+
+
+ALMOST = {  # valid in the doubled doubles of GEOS
+    "self-intersection": (
+        [
+            [-0.5, 0.5000000000000001],
+            [3.0, 4.0],
+            [-3.0, -1.0],
+            [-4.0, -3.0],
+        ],
+        [
+            [-3.9999999999999996, -2.9999999999999996],
+            [0.39426472231394527, 1.3942647223139455],
+            [-0.554995261881771, 0.44500473811822927],
+        ],
+    ),
+    "hole lies outside shell": (
+        [
+            [-1.0, -100000.0],
+            [-0.3141794525867426, -685820578831.2025],
+            [-0.9999999999999997, -100000.00000000001],
+            [1.0, 1.0],
+            [-1e-20, -1e-50],
+            [-8388608.0, 1e-20],
+            [-8388607.999999999, 0.0],
+            [-1e-20, -1000000000000.0],
+        ],
+        [[-1e-20, -1e-50], [1e-50, 1e-20], [-0.1, 0.1]],
+    ),
+}
+
+
+@pytest.mark.parametrize("what", ALMOST)
+def test_shapes_are_judged_exactly(scene_dict: dict[str, Any], what: str) -> None:
+    scene_dict["obstacles"] = [polygon(*ALMOST[what])]
+    assert f"obstacles[0].coordinates: polygon is not valid: {what} at (" in message(scene_dict)
+    make_problem(load_scene(scene_dict), judged_by_geos)
+
+
+def test_polygons_that_take_geos_for_ever(scene_dict: dict[str, Any]) -> None:
+    """Not a benchmark: all pairs of these edges have overlapping boxes, 10^10 of them."""
+    count = 100_000
+    angles = np.linspace(0.0, 2.0 * np.pi, count, endpoint=False)
+    radii = np.where(np.arange(count) % 2 == 0, 1.0, 2.0)
+    star = np.column_stack([radii * np.cos(angles), radii * np.sin(angles)]) + 5.0
+    nested = [square(5, 5, 1.0 + 1e-6 * k) for k in range(5_000)]
+    before = time.process_time()
+    scene_dict["obstacles"] = [polygon(star.tolist())]
+    assert len(problem_of(scene_dict).obstacles.coords) == count
+    scene_dict["obstacles"] = [polygon(square(5, 5, 3), *nested)]
+    assert "holes are nested" in message(scene_dict)
+    assert time.process_time() - before < 30
 
 
 def test_robot_with_too_many_vertices(scene_dict: dict[str, Any]) -> None:
