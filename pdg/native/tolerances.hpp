@@ -24,11 +24,11 @@ inline constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon() /
 
 // Forward error of every separating-axis function, of its range over a motion, and of the distances
 // between bounding circles and boxes, in units of u (A + B + T). Largest coefficients derived, over
-// cells, faces, single configurations and segments: 19 (of A), 34 (of B), 56 (of T).
+// cells, faces, single configurations and segments: 23 (of A), 27 (of B), 51 (of T).
 inline constexpr double kSeparationErrorUnits = 64.0 * PDG_MARGIN_SCALE;
 
 // Error of a pose's angle that was interpolated between two others, in units of u max |theta|:
-// interpolation 5, waypoints' own rounding 2.
+// interpolation 5, waypoints' own rounding 1.4.
 inline constexpr double kPoseAngleUnits = 8.0 * PDG_MARGIN_SCALE;
 
 // Largest half-angle (radians) at which a segment's turning is expanded about its middle: beyond

@@ -1,6 +1,7 @@
 #include "exact.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace exact {
 
@@ -14,6 +15,15 @@ Sinusoid in_terms_of(const Vector& axis, const Vector& p) {
 
 Ball at(const Sinusoid& f, const Ball& c, const Ball& s) {
   return f.v * c + f.w * s;
+}
+
+// Plainly not within h of (1, 0), by doubles with ample room: saves the exact test nearly always.
+bool plainly_outside(const Ball& c, const Ball& s, const Box& box) {
+  const double x = c.value();
+  const double y = std::abs(s.value());
+  const double room = 1e-9 * (std::abs(x) + y) + 4.0 * (c.radius + s.radius);
+  const double cosine = box.half.cosine.value();
+  return cosine > 0.0 && x * box.half.sine.value() - y * cosine < -room;
 }
 
 // Is a direction of this length, whose component along (1, 0) is c, possibly within h of it?
@@ -36,18 +46,20 @@ Ball envelope_largest(const std::vector<Sinusoid>& all, const std::vector<Sinuso
                       least_at(all, box.half.cosine, -box.half.sine));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Sinusoid& f = all[i];
-    const Ball size = square_root(f.v * f.v + f.w * f.w);
-    if (!size.certainly_positive()) {
-      out = greatest(out, size);
-      continue;
+    if (!plainly_outside(f.v, f.w, box)) {
+      const Ball size = square_root(f.v * f.v + f.w * f.w);
+      if (!size.certainly_positive())
+        out = greatest(out, size);
+      else if (possibly_within(f.v, size, box))
+        out = greatest(out, least_at(all, f.v / size, f.w / size));
     }
-    if (possibly_within(f.v, size, box)) out = greatest(out, least_at(all, f.v / size, f.w / size));
-    const Ball c = steps[i].w;
-    const Ball s = -steps[i].v;
-    const Ball span = square_root(c * c + s * s);
-    for (const Ball& sign : {Ball(1.0), Ball(-1.0)})
-      if (possibly_within(sign * c, span, box))
-        out = greatest(out, least_at(all, sign * c / span, sign * s / span));
+    for (const double sign : {1.0, -1.0}) {
+      const Ball c = Ball(sign) * steps[i].w;
+      const Ball s = Ball(-sign) * steps[i].v;
+      if (plainly_outside(c, s, box)) continue;
+      const Ball span = square_root(c * c + s * s);
+      if (possibly_within(c, span, box)) out = greatest(out, least_at(all, c / span, s / span));
+    }
   }
   return out;
 }
@@ -133,8 +145,10 @@ Ball sinusoid_least(const Sinusoid& f, const Box& box) {
 }
 
 Ball sinusoid_largest(const Sinusoid& f, const Box& box) {
-  const Ball size = square_root(f.v * f.v + f.w * f.w);
-  if (possibly_within(f.v, size, box)) return size;
+  if (!plainly_outside(f.v, f.w, box)) {
+    const Ball size = square_root(f.v * f.v + f.w * f.w);
+    if (possibly_within(f.v, size, box)) return size;
+  }
   return f.v * box.half.cosine + absolute(f.w) * box.half.sine;
 }
 
