@@ -12,17 +12,18 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from planar_planner.certificate_form import CertificateError
     from planar_planner.errors import OptionsError, SceneError
     from planar_planner.options import Options
     from planar_planner.planner import Planner, solve
     from planar_planner.result import NoPath, PathFound, Result, Undecided
     from planar_planner.scene import Scene, load_scene
-    from planar_planner.verify import CertificateError, Rejected, verify_certificate
+    from planar_planner.verify import Rejected, verify_certificate
 
     __version__: str
 
 _HOMES = {
-    "CertificateError": "verify",
+    "CertificateError": "certificate_form",
     "NoPath": "result",
     "Options": "options",
     "OptionsError": "errors",

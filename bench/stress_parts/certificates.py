@@ -6,8 +6,9 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
+from planar_planner.certificate_form import CertificateError
 from planar_planner.result import Result
-from planar_planner.verify import CertificateError, Rejected, verify_certificate
+from planar_planner.verify import Rejected, verify_certificate
 
 
 def certificate_failure(

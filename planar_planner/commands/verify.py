@@ -42,7 +42,8 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _finding(scene: Any, certificate: str, tolerance: float) -> tuple[int, dict[str, Any]]:
     """Return the exit status, and the finding as JSON."""
-    from planar_planner.verify import CertificateError, Rejected, verify_certificate  # takes numpy
+    from planar_planner.certificate_form import CertificateError
+    from planar_planner.verify import Rejected, verify_certificate  # takes numpy
 
     began = time.monotonic()
     common = {"format": "planar-planner/verification", "version": 1, "scene": scene.name}

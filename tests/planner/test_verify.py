@@ -16,9 +16,10 @@ from hand_made_certificates import HAND_MADE, WHOLE, Json, hand_made, rectangle,
 from shapely import affinity
 
 from planar_planner import verify
+from planar_planner.certificate_form import read_certificate, units
 from planar_planner.problem import make_problem
 from planar_planner.scene import load_scene
-from planar_planner.verify import Extent, Piece, Rejected, units, verify_certificate
+from planar_planner.verify import Extent, Piece, Rejected, verify_certificate
 
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899")
 Points = list[tuple[float, float]]
@@ -348,7 +349,7 @@ def grid_certificate(scene: Json, levels: tuple[int, int, int]) -> Json | None:
         "domain": {"low": [[0, 0], [0, 0]], "size": [[1, 3], [1, 3]]},
         "full_faces": [],
     }
-    content = verify.read_certificate(signed(scene, certificate | {"start_side": [], "full": []}))
+    content = read_certificate(signed(scene, certificate | {"start_side": [], "full": []}))
     case = verify.make_case(problem, content)
     verify.check_pieces(case, content)
     domain = (case, (0, 0), (units(8.0), units(8.0)))

@@ -15,7 +15,8 @@ import pytest
 from hand_made_certificates import HAND_MADE, Json, hand_made
 
 from planar_planner import verify
-from planar_planner.verify import CertificateError, Rejected, read_certificate, verify_certificate
+from planar_planner.certificate_form import CertificateError, read_certificate
+from planar_planner.verify import Rejected, verify_certificate
 
 HUGE = 10**400
 TINY = 5e-324
