@@ -29,7 +29,7 @@ def sweep_sampler(
         errors = [run.error for run, _ in runs if run.error]
         if len(errors) == len(runs):
             raise RuntimeError(f"{name}: {errors[0]}")
-        sound = [(run, share) for run, share in runs if run.soundness == "sound"]
+        sound = [(run, seconds) for run, seconds in runs if run.soundness == "sound"]
         unsound = sum(run.exact for run, _ in runs) - len(sound)
         yield Point(
             truth.name,
@@ -38,7 +38,7 @@ def sweep_sampler(
             parameter,
             distance,
             len(sound) / len(runs),
-            ranks([run.seconds * share for run, share in sound], len(runs)),
+            ranks([seconds for _, seconds in sound], len(runs)),
             ranks([run.seconds for run, _ in sound], len(runs)),
             statistics.median(run.checks for run, _ in runs),
             f"{unsound} paths not sound" if unsound else "",
@@ -48,17 +48,19 @@ def sweep_sampler(
 
 
 def timed(runs: Iterator[SamplerRun]) -> Iterator[tuple[SamplerRun, float]]:
-    """Add to each run the share of a core that its process had while it ran.
+    """Add to each run the processor's time for it, estimated, in seconds.
 
-    Its time by the wall clock times that share is the processor's time for it, nearly: the share is
-    that of the whole process, most of which, where it matters, is the run.
+    It is the run's time by the wall clock times the share of a core that its whole process had; but
+    at least its state checks' time, since start-up, which waits for files, has a smaller share.
     """
     while True:
         wall, processor = time.perf_counter(), _children()
         run = next(runs, None)
         if run is None:
             return
-        yield run, min(1.0, (_children() - processor) / (time.perf_counter() - wall))
+        share = min(1.0, (_children() - processor) / (time.perf_counter() - wall))
+        checking = 1e-9 * run.checks * run.check_ns if run.exact else 0.0
+        yield run, min(run.seconds, max(share * run.seconds, checking))
 
 
 def _children() -> float:
