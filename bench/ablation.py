@@ -49,7 +49,7 @@ class Settings:
 def settings(quick: bool) -> Settings:
     """Return the settings of a full or a quick run."""
     if quick:
-        return Settings(("gear", "slot-jammed", "corner"), 4_000, 15_000, 1.0, 3.0, 0.05, 3, False)
+        return Settings(("gear", "slot-jammed", "corner"), 4_000, 15_000, 1.0, 1.0, 0.02, 1, False)
     return Settings(tuple(manifest()), 60_000, 400_000, 10.0, 300.0, 0.4, 7, True)
 
 
