@@ -50,7 +50,7 @@ def settings(quick: bool) -> Settings:
     """Return the settings of a full or a quick run."""
     if quick:
         return Settings(("gear", "slot-jammed", "corner"), 4_000, 15_000, 1.0, 1.0, 0.02, 1, False)
-    return Settings(tuple(manifest()), 60_000, 400_000, 10.0, 300.0, 0.4, 7, True)
+    return Settings(tuple(manifest()), 20_000, 400_000, 5.0, 120.0, 0.3, 5, True)
 
 
 def cullings_of(program: Path, scene: str, how: Settings) -> list[Culling]:

@@ -27,7 +27,7 @@ from timing import Spread
 
 from planar_planner import load_scene
 
-LIMIT = 60.0  # seconds of a query
+LIMIT = 120.0  # seconds of a query, by the wall clock
 QUICK_LIMIT = 2.0
 REPEATED = ("maze", "field", "gear")
 INNER = ("gear", "gear-jammed", "maze", "field", "corner-too-long", "snowflake-jammed")
