@@ -10,4 +10,5 @@ PARTS: tuple[str, ...] = (
     "critical",
     "false_no_path",
     "faults",
+    "hostile",
 )
