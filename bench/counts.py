@@ -1,4 +1,8 @@
-"""Counts of work that do not depend on the machine, for every shipped scene.
+"""Counts of work that do not depend on the machine.
+
+For every shipped scene, for families that show how work grows (each with a law that a regression
+would break: logarithmic in the clearance, linear in the length of the way, untouched by what is far
+away), and for the planner without single parts.
 
 ``python bench/counts.py`` compares them with those on record, ``--check`` fails if a verdict is
 another or a count is off by more than the slack, ``--update`` puts them on record.
@@ -13,9 +17,16 @@ from pathlib import Path
 from typing import Any
 
 import provenance
+from ablation_parts import variants
+from scale_parts import worlds
+from scale_parts.families import GEAR_CRITICAL
 
-from planar_planner import load_scene, solve
+from planar_planner import Options, load_scene, solve
 from planar_planner.builtin import manifest
+from planar_planner.planner import SceneLike
+from planar_planner.problem import make_problem
+from scenarios import corner, field, gear, maze
+from scenarios.model import Scene
 
 RECORD = Path(__file__).with_name("counts.json")
 FORMAT = "planar-planner/counts"
@@ -23,6 +34,13 @@ COUNTS = {  # statistic and its heading
     "cells": "cells",
     "labelled_cells": "labelled",
     "separation_evaluations": "separations",
+    "search_expansions": "expansions",
+}
+# Parts are left out on scenes where they matter, and that take a moment without them too.
+PARTS = {
+    "slot-jammed": ("no joint, DISP query", "no joint, Eq. 3 query", "no star test"),
+    "corner-too-long": ("no joint obstruction", "level by level"),
+    "gear": ("no joint, no query", "search from scratch", "cover, not partition"),
 }
 # Allowed in either direction. Counts repeat exactly on one machine; another C library may round a
 # sine otherwise and so change a few cells.
@@ -30,13 +48,42 @@ SLACK = 0.10
 LEAST = 20  # a count may always differ by so much: 10 % of a few cells is no difference
 
 
+def families() -> dict[str, Scene]:
+    """Return scenes of the families, by what stands in the record."""
+    critical = corner.critical_length(corner.DEFAULT_WIDTH)
+    scenes = {
+        f"corner {sign * clearance:+.0e}": corner.corner(critical + sign * clearance)
+        for sign in (-1, 1)
+        for clearance in (1e-3, 1e-6, 1e-9)
+    }
+    scenes |= {
+        f"gear {sign * 1e-6:+.0e}": gear.gear(GEAR_CRITICAL + sign * 1e-6) for sign in (1, -1)
+    }
+    scenes |= {f"baffles {count}": worlds.growing_channel(count) for count in (30, 100, 300)}
+    scenes |= {f"lane {count}": worlds.fixed_channel(count) for count in (100, 3000)}
+    scenes |= {f"teeth {pieces}": worlds.toothed(pieces, 1.6) for pieces in (5, 50)}
+    scenes |= {f"far {far}": field.field(400, far=far) for far in (10, 3000)}
+    scenes["maze 32"] = maze.maze(32)
+    return scenes
+
+
 def counted() -> dict[str, dict[str, Any]]:
-    """Solve every shipped scene."""
+    """Solve every shipped scene, the families, and some without a part."""
     found: dict[str, dict[str, Any]] = {}
-    for name in manifest():
-        result = solve(load_scene(name))
+    shipped = {name: load_scene(name) for name in manifest()}
+    asked: dict[str, SceneLike] = {**shipped, **families()}
+    for name, scene in asked.items():
+        result = solve(scene)
         counts = {key: int(result.stats[key]) for key in COUNTS}
         found[name] = {"verdict": result.verdict, **counts}
+    by_name = {variant.name: variant for variant in variants.ABLATIONS}
+    for scene_name, parts in PARTS.items():
+        problem = make_problem(shipped[scene_name])
+        for part in parts:
+            core = variants.make_core(problem, by_name[part])
+            answer = variants.solve(core, problem, Options())
+            counts = {key: int(answer["stats"][key]) for key in COUNTS}
+            found[f"{scene_name}: {part}"] = {"verdict": answer["verdict"], **counts}
     return found
 
 
@@ -64,6 +111,9 @@ def compared(old: dict[str, Any] | None, new: dict[str, Any] | None) -> tuple[st
     verdict = new["verdict"] if not bad else f"{old['verdict']} -> {new['verdict']} !"
     columns = [f"{verdict:<10}"]
     for key in COUNTS:
+        if key not in old:
+            columns.append(f"{new[key]:>11,} {'':>9}  ")
+            continue
         change = f"{100.0 * (new[key] - old[key]) / max(old[key], 1):+.1f} %"
         mark = " !" if differs(old[key], new[key]) else "  "
         bad = bad or differs(old[key], new[key])
@@ -74,11 +124,11 @@ def compared(old: dict[str, Any] | None, new: dict[str, Any] | None) -> tuple[st
 def print_comparison(old: dict[str, dict[str, Any]], new: dict[str, dict[str, Any]]) -> list[str]:
     """Print a line a scene; return the scenes that differ by more than is allowed."""
     headings = " ".join(f"{heading:>11} {'change':>9}  " for heading in COUNTS.values())
-    print(f"{'scene':<18} {'verdict':<10} {headings}")
+    print(f"{'scene':<36} {'verdict':<10} {headings}")
     bad = []
     for name in [*new, *(name for name in old if name not in new)]:
         columns, differing = compared(old.get(name), new.get(name))
-        print(f"{name:<18} {columns}")
+        print(f"{name:<36} {columns}")
         if differing:
             bad.append(name)
     return bad
