@@ -1,5 +1,7 @@
 #include "claims.hpp"
 
+#include <algorithm>
+
 namespace rounding {
 
 using exact::Axis;
@@ -67,10 +69,24 @@ bool negative(const Sum& sum, const Box& box) {
   return (sinusoid_largest(sum.sinusoid, box) + sum.value + extent).certainly_negative();
 }
 
-bool confirm_joint(const World& world, const planner::JointProof& proof, const Box& box) {
+// Every function of the pair but those listed is negative all over the box.
+bool others_negative(const World& world, const planner::PairAxes& pair, const Box& box) {
+  if (pair.obstacle < world.tree.wall_count()) return true;  // a wall has one
+  const Piece& a = world.robot[pair.robot];
+  const Piece& b = world.obstacle(pair.obstacle);
+  for (const Axis& axis : axes_of(a, b)) {
+    const bool listed =
+        std::any_of(pair.axes.begin(), pair.axes.end(), [&](const planner::PairAxes::Axis& other) {
+          return other.owner == axis.owner && other.edge == axis.edge;
+        });
+    if (!listed && !largest_value(a, b, axis, box).certainly_negative()) return false;
+  }
+  return true;
+}
+
+bool sum_negative(const World& world, const planner::JointSum& terms, const Box& box) {
   Sum sum;
-  for (std::size_t i = 0; i < proof.count; ++i) {
-    const planner::JointTerm& term = proof.terms[i];
+  for (const planner::JointTerm& term : terms) {
     if (!(term.weight >= 0.0)) return false;
     const Ball weight(term.weight);
     const Piece& a = world.robot[term.robot];
@@ -80,19 +96,44 @@ bool confirm_joint(const World& world, const planner::JointProof& proof, const B
       continue;
     }
     const Piece& b = world.obstacle(term.obstacle);
-    for (const Axis& axis : axes_of(a, b)) {
-      const bool own = axis.owner == term.owner && axis.edge == term.edge;
-      if (!own && !largest_value(a, b, axis, box).certainly_negative()) return false;
-    }
+    const Vector& n = b.normals[term.owner == EdgeOwner::kObstacle ? term.edge : 0];
     if (term.owner == EdgeOwner::kObstacle)
-      add_obstacle_term(sum, weight, b.normals[term.edge],
-                        dot(b.normals[term.edge], b.vertices[term.edge]), a.vertices[term.vertex],
+      add_obstacle_term(sum, weight, n, dot(n, b.vertices[term.edge]), a.vertices[term.vertex],
                         box);
     else
       add_robot_term(sum, weight, a, term.edge, b.vertices[term.vertex], box);
   }
-  // Each pair with terms of one edge only: another edge of it would have to be negative itself.
-  return proof.count > 0 && negative(sum, box);
+  return negative(sum, box);
+}
+
+// Are all terms of chosen edges? `choice` numbers the choices as digits do.
+bool fits(const planner::JointProof& proof, const planner::JointSum& terms, std::size_t choice) {
+  std::vector<const planner::PairAxes::Axis*> chosen;
+  for (const planner::PairAxes& pair : proof.pairs) {
+    chosen.push_back(&pair.axes[choice % pair.axes.size()]);
+    choice /= pair.axes.size();
+  }
+  return std::all_of(terms.begin(), terms.end(), [&](const planner::JointTerm& term) {
+    for (std::size_t i = 0; i < proof.pairs.size(); ++i)
+      if (proof.pairs[i].obstacle == term.obstacle && proof.pairs[i].robot == term.robot)
+        return chosen[i]->owner == term.owner && chosen[i]->edge == term.edge;
+    return false;
+  });
+}
+
+bool confirm_joint(const World& world, const planner::JointProof& proof, const Box& box) {
+  std::size_t choices = 1;
+  for (const planner::PairAxes& pair : proof.pairs) {
+    if (pair.axes.empty() || !others_negative(world, pair, box)) return false;
+    choices *= pair.axes.size();
+  }
+  for (const planner::JointSum& terms : proof.sums)
+    if (!sum_negative(world, terms, box)) return false;
+  for (std::size_t choice = 0; choice < choices; ++choice)
+    if (std::none_of(proof.sums.begin(), proof.sums.end(),
+                     [&](const planner::JointSum& terms) { return fits(proof, terms, choice); }))
+      return false;
+  return true;
 }
 
 class StarCheck {

@@ -6,6 +6,7 @@
 #include "claims.hpp"
 #include "families.hpp"
 #include "planar_planner/native/placement.hpp"
+#include "planar_planner/native/state_check.hpp"
 
 namespace rounding {
 
@@ -122,10 +123,12 @@ planner::Scene pointed(Random& random) {
 std::vector<Tally> placements(const Request& request) {
   Random random(request.seed);
   Tally single{.family = "single configuration"};
+  Tally check{.family = "state check"};
   Tally domain{.family = "domain"};
   while (single.inputs < request.inputs) {
     const Stage stage = any_stage(random, request.adversarial);
     World world(stage.scene);
+    planner::StateCheck states(world.problem);
     for (int i = 0; i < 4; ++i) {
       const double theta = any_angle(random, request.adversarial);
       const Configuration q = request.adversarial ? in_contact(random, world, stage, theta)
@@ -133,6 +136,8 @@ std::vector<Tally> placements(const Request& request) {
       const Placement p = place(world, q);
       const exact::Box here = exact::point_of(world.problem.frame, {q.x, q.y}, q.theta);
       ++single.inputs;
+      ++check.inputs;
+      if (states.is_free(q)) check.claim(confirm_free(world, here));
       if (p.state == PlacementState::kFree) single.claim(confirm_free(world, here));
       if (p.state == PlacementState::kColliding) single.claim(confirm_pair(world, p.witness, here));
     }
@@ -146,7 +151,7 @@ std::vector<Tally> placements(const Request& request) {
     ++domain.inputs;
     domain.claim(confirm_domain(world));
   }
-  return {single, domain};
+  return {single, check, domain};
 }
 
 }  // namespace rounding
