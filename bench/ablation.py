@@ -55,11 +55,16 @@ def settings(quick: bool) -> Settings:
 
 def cullings_of(program: Path, scene: str, how: Settings) -> list[Culling]:
     """Measure one scene: the published method's cells, and those of our own search."""
-    count = how.count and scene == GEAR
     cells = how.gear_cells if scene == GEAR else how.cells
     drivers = (DRIVER, "displacement", "per_normal_joint") if scene == GEAR else (DRIVER,)
+
+    def counts(driver: str) -> bool:
+        return how.count and scene == GEAR and driver == DRIVER
+
     found = [
-        culling(program, scene, cells=cells, repeats=how.repeats, driver=driver, count=count)
+        culling(
+            program, scene, cells=cells, repeats=how.repeats, driver=driver, count=counts(driver)
+        )
         for driver in drivers
     ]
     return [*found, culling(program, scene, cells=0, repeats=how.repeats, driver=None)]

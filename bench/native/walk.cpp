@@ -25,8 +25,9 @@ struct Judged {
   std::shared_ptr<ConstraintList> list;  // MIXED, STAR
 };
 
-// Labels the cell, applies every query, and decides the truth unless it is inherited.
-Judged judge(World& world, Seen& seen, const WalkLimits& limits) {
+// Labels the cell, applies every query (only `driver` where no truth is asked for), and decides the
+// truth unless it is inherited.
+Judged judge(World& world, Seen& seen, const Query driver, const WalkLimits& limits) {
   const Extent& box = seen.visit.box;
   const pdg::Motion motion = motion_of(world.space, box);
   const pdg::Rotation rotation = rotation_of(world.space, box);
@@ -36,7 +37,8 @@ Judged judge(World& world, Seen& seen, const WalkLimits& limits) {
                                                            view(*seen.visit.parent), *out.list);
   out.label = result.label;
   for (std::size_t q = 0; q < kQueries; ++q)
-    seen.culled[q] = proves(world, seen.visit, static_cast<Query>(q));
+    if (limits.truth || static_cast<Query>(q) == driver)
+      seen.culled[q] = proves(world, seen.visit, static_cast<Query>(q));
   if (out.label == Label::kMixed &&
       world.star.find_guard(motion, world.labeller.posed(rotation), view(*out.list)))
     out.label = Label::kStar;
@@ -77,7 +79,7 @@ void collect(World& world, const Subdivision& subdivision, const std::uint32_t n
              const planner::CellBox& box, Seen seen, const WalkLimits& limits,
              std::vector<Seen>& out) {
   seen.visit.box = extent_of(box);
-  const Judged judged = judge(world, seen, limits);
+  const Judged judged = judge(world, seen, Query::kLabel, limits);
   out.push_back(seen);
   if ((node & Subdivision::kLeaf) != 0) return;
   const Subdivision::Branch branch = subdivision.branch(node);
@@ -106,7 +108,7 @@ std::vector<Seen> walk_levels(World& world, const Query driver, const WalkLimits
   while (!level.empty() && out.size() + level.size() <= limits.cells) {
     std::vector<Seen> next;
     for (Seen& seen : level) {
-      const Judged judged = judge(world, seen, limits);
+      const Judged judged = judge(world, seen, driver, limits);
       const bool open = judged.label == Label::kMixed || judged.label == Label::kFull;
       if (open && !seen.culled[static_cast<std::size_t>(driver)]) {
         const auto octant = octants(seen.visit.box, world.space.rotation);
