@@ -38,13 +38,13 @@ def main() -> int:
     """Measure, print, write, draw."""
     arguments = parsed()
     facts = print_provenance()
-    facts["seeds"] = f"1 to {arguments.runs} of each sampler; ours has none"
     facts["load"] = f"{os.getloadavg()[0]:.1f} processes wanted to run when it began"
     samplers = list_of_samplers(arguments)
     if samplers:
         from importlib.metadata import version
 
         facts["versions"] += f", ompl {version('ompl')}"
+        facts["seeds"] = f"1 to {arguments.runs} of each sampler, limit {arguments.limit:g} s"
     chosen = list(families(arguments, facts))
     points: list[Point] = []
     try:
