@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <ctime>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -30,8 +31,8 @@ struct Arguments {
   Query driver = Query::kLabel;
   WalkLimits limits;
   std::size_t repeats = 5;
-  std::size_t misses = 400;  // at most so many are looked into
-  bool only = false;         // replay the driver once, nothing else: for instruction counters
+  std::size_t misses = 400;   // at most so many are looked into
+  std::optional<Query> only;  // replay this query once, nothing else: for instruction counters
 };
 
 Query query_named(const std::string& name) {
@@ -48,11 +49,11 @@ Arguments parse(const int count, char** const words) {
       out.search = true;
     } else if (word == "--cover") {
       out.cover = true;
-    } else if (word == "--only") {
-      out.only = true;
-      out.limits.truth = false;
     } else if (i + 1 == count) {
       throw std::runtime_error("what is the value of " + word + "?");
+    } else if (word == "--only") {
+      out.only = query_named(words[++i]);
+      out.limits.truth = false;
     } else if (word == "--driver") {
       out.driver = query_named(words[++i]);
     } else if (word == "--cells") {
@@ -165,7 +166,7 @@ void run(const Arguments& arguments) {
                                       ? walk_search(world, task, arguments.limits)
                                       : walk_levels(world, arguments.driver, arguments.limits);
   if (arguments.only) {
-    const std::size_t culled = bench_replay(world, cells, arguments.driver);
+    const std::size_t culled = bench_replay(world, cells, *arguments.only);
     std::printf("{\"cells\": %zu, \"culled\": %zu}\n", cells.size(), culled);
     return;
   }

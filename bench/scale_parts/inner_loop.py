@@ -31,9 +31,7 @@ def inner_loop(program: Path, scene: str, repeats: int, count: bool) -> InnerLoo
     cost = found["costs"][QUERY]
     evaluations = int(cost["evaluations"])
     total = (
-        instructions(program, scene, "bench_replay", "--search", "--only", "--driver", QUERY)
-        if count
-        else None
+        instructions(program, scene, "bench_replay", "--search", "--only", QUERY) if count else None
     )
     return InnerLoop(
         scene,
