@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import copy
 import json
+import math
 import random
 import signal
 import time
@@ -70,6 +71,8 @@ def read_scene(content: Any) -> bool:
 
 def read_certificate(scene: Any, content: Any) -> bool:
     """Whether the checker takes a certificate; whatever it raises but a refusal is a defect."""
+    if not isinstance(content, dict):
+        return False
     try:
         verify_certificate(scene, content)
     except (CertificateError, Rejected):
@@ -112,11 +115,7 @@ def _places(value: Any) -> Iterator[tuple[Any, Any]]:
 
 
 def _nudged(rng: random.Random, value: float) -> Any:
-    import math
-
-    if isinstance(value, bool) or not math.isfinite(value):
-        return 0
-    if isinstance(value, int):
+    if isinstance(value, int):  # truth values, too
         return value + rng.choice((-1, 1))
     return rng.choice((-value, value * 2, value / 2, math.nextafter(value, math.inf), value + 1))
 
