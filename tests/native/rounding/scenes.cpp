@@ -89,7 +89,8 @@ struct Tallies {
   Tally leaf{.family = "leaf, end to end"};
   Tally star{.family = "STAR"};
   Tally joint{.family = "joint FULL"};
-  Tally link{.family = "face between leaves"};
+  // The same labels as of cells and of `face`, where missing margins show; here they seldom do.
+  Tally link{.family = "face between leaves", .leans_on_margin = false};
 };
 
 void check_leaves(const World& world, const planner::Subdivision& subdivision, Tallies& out) {
