@@ -9,11 +9,18 @@ from __future__ import annotations
 import copy
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from types import ModuleType
 from typing import Any, ClassVar
 
 import numpy as np
 import pytest
+
+# Makes benchmarks and generators importable from a checkout, after anything that is installed.
+ROOT = Path(__file__).parents[1]
+for folder in (ROOT / "bench", ROOT):
+    if str(folder) not in sys.path:
+        sys.path.append(str(folder))
 
 FREE = {
     "state": "free",
