@@ -22,7 +22,7 @@ with atheris.instrument_imports(include=["planar_planner"]):
 
 LIBFUZZER = ["-timeout=60", "-rss_limit_mb=2048", "-max_len=100000"]  # before what is given
 BYTES = 0.2  # of the changes are those of libFuzzer, which knows no JSON
-NAME = "corner"
+NAME = "corner"  # has a path
 
 
 def one_scene(data: bytes) -> None:
@@ -40,7 +40,7 @@ def one_certificate(data: bytes) -> None:
         content = json.loads(data)
     except (ValueError, RecursionError):
         return
-    read_certificate(load_scene(NAME), content)
+    read_certificate(load_scene(NAME), content, "path")
 
 
 def changed(data: bytes, max_size: int, seed: int) -> bytes:

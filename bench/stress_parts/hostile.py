@@ -98,6 +98,8 @@ def _one(settings: Settings, row: Row, case: str, arguments: list[str]) -> tuple
     err, _, peak = done.stderr.rpartition("\n")
     kibibytes = int(peak) if re.fullmatch(r"\d+", peak) else 0
     verdicts = {0: "path", 1: "no_path", 2: "refused", 3: "undecided"}
+    if arguments[0] == "verify":
+        verdicts = {0: "path", 1: "refused", 2: "refused"}
     if done.returncode not in verdicts or "internal error" in err or "Traceback" in err:
         what = f"{case}: exit status {done.returncode}, {done.stderr[-300:]!r}"
         fail(settings, row, None, what)

@@ -69,14 +69,19 @@ def read_scene(content: Any) -> bool:
     return True
 
 
-def read_certificate(scene: Any, content: Any) -> bool:
-    """Whether the checker takes a certificate; whatever it raises but a refusal is a defect."""
+def read_certificate(scene: Any, content: Any, truth: str) -> bool:
+    """Whether the checker takes a certificate; whatever it raises but a refusal is a defect.
+
+    Another verdict than the true one is a defect as well.
+    """
     if not isinstance(content, dict):
         return False
     try:
-        verify_certificate(scene, content)
+        report = verify_certificate(scene, content)
     except (CertificateError, Rejected):
         return False
+    if report.verdict != truth:
+        raise AssertionError(f"a proof of {report.verdict}, but {truth} is true")
     return True
 
 
@@ -142,9 +147,9 @@ def certificates(settings: Settings) -> Row:
         originals.append((scene, json.loads(json.dumps(result.certificate)), result.verdict))
 
     def once(rng: random.Random) -> tuple[Any, Callable[[], bool]]:
-        scene, original, _ = rng.choice(originals)
+        scene, original, truth = rng.choice(originals)
         content = mutated(rng, original)
-        return content, lambda: read_certificate(scene, content)
+        return content, lambda: read_certificate(scene, content, truth)
 
     return _repeat(settings, row, settings.count(20_000, 300), once)
 
