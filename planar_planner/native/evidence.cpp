@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "pdg/native/tolerances.hpp"
-
 namespace planner {
 
 namespace {
@@ -17,11 +15,11 @@ void sort_unique(std::vector<std::uint32_t>& values) {
 void append_near_polygons(const Problem& problem, const Pose& from, const Pose& to,
                           std::vector<std::uint32_t>& out) {
   const SweptBox swept = swept_box(problem, from, to);
-  const double margin = pdg::kSeparationErrorUnits * pdg::kUnitRoundoff * problem.domain.reach;
   for (std::size_t i = 0; i < problem.scene.obstacles.size(); ++i) {
     const Rectangle box = problem.scene.obstacles.bounds(i);
     const Vec2 low = to_planner(problem, box.low);
     const Vec2 high = to_planner(problem, box.high);
+    const double margin = box_margin(problem, low, high);
     if (low.x - margin <= swept.high.x && swept.low.x <= high.x + margin &&
         low.y - margin <= swept.high.y && swept.low.y <= high.y + margin)
       out.push_back(static_cast<std::uint32_t>(i));

@@ -66,6 +66,13 @@ struct SeparatingEdges::Part {
   Box whole;
 };
 
+double box_margin(const Problem& problem, const Vec2 low, const Vec2 high) {
+  const double farthest = std::max(std::max(std::abs(low.x), std::abs(high.x)),
+                                   std::max(std::abs(low.y), std::abs(high.y)));
+  return pdg::kSeparationErrorUnits * pdg::kUnitRoundoff *
+         (problem.domain.reach + problem.robot.reach + 2.0 * farthest);
+}
+
 SweptBox swept_box(const Problem& problem, const Pose& from, const Pose& to) {
   // A vertex's box on a part of the segment reaches |delta| (|a_x| + |a_y|) beyond its middle
   // place.
@@ -89,8 +96,9 @@ std::optional<std::vector<ProvenInterval>> SeparatingEdges::prove(const Pose& fr
 }
 
 void SeparatingEdges::gather(const std::uint32_t index, const Box& swept) {
-  const double margin = pdg::kSeparationErrorUnits * pdg::kUnitRoundoff * problem_.domain.reach;
-  if (!meet(tree_.node(index).low, tree_.node(index).high, swept.low, swept.high, margin)) return;
+  const TreeNode& node = tree_.node(index);
+  const double margin = box_margin(problem_, node.low, node.high);
+  if (!meet(node.low, node.high, swept.low, swept.high, margin)) return;
   tree_.expand(index);
   if (tree_.node(index).piece != kNoPiece) return gathered_.push_back(tree_.node(index).piece);
   const std::uint32_t left = tree_.node(index).left;
@@ -132,7 +140,9 @@ bool SeparatingEdges::prove_part(const Interval interval, const std::vector<std:
       here.push_back(piece);
   }
   ProvenInterval proven{interval, {}};
-  if (within_walls(part) && separate(part, here, proven)) {
+  // The expansion about the middle holds its error bound for small turns only.
+  if (m.half_angle <= pdg::kWidestCoupledTurn && within_walls(part) &&
+      separate(part, here, proven)) {
     proven_.push_back(std::move(proven));
     return true;
   }

@@ -59,5 +59,7 @@ struct SweptBox {
   Vec2 low, high;
 };
 SweptBox swept_box(const Problem& problem, const Pose& from, const Pose& to);
+// Rounding of the comparison of a swept box with an obstacle's.
+double box_margin(const Problem& problem, Vec2 low, Vec2 high);
 
 }  // namespace planner
