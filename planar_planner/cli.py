@@ -7,8 +7,12 @@ that need them.
 
 from __future__ import annotations
 
+import signal
 import sys
-from collections.abc import Sequence
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from types import FrameType
 
 from planar_planner.arguments import make_parser, with_joined_numbers
 from planar_planner.errors import OptionsError, SceneError, one_line
@@ -24,8 +28,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     Under ``python -X dev`` an internal error is raised instead, to show where it comes from.
     """
     use_safe_encoding()
+    interrupts: list[int] = []
     try:
-        return _run(sys.argv[1:] if argv is None else argv)
+        with _noted(interrupts):
+            return _run(sys.argv[1:] if argv is None else argv)
     except KeyboardInterrupt:
         complain("interrupted")
         return EXIT_UNDECIDED
@@ -36,10 +42,34 @@ def main(argv: Sequence[str] | None = None) -> int:
         complain(one_line(str(error)))
         return EXIT_BAD_INPUT
     except Exception as error:
+        if interrupts:  # on the import of a library that made another error of it
+            complain("interrupted")
+            return EXIT_UNDECIDED
         if sys.flags.dev_mode:
             raise
         complain(one_line(f"internal error, please report it: {type(error).__name__}: {error}"))
         return EXIT_BAD_INPUT
+
+
+@contextmanager
+def _noted(interrupts: list[int]) -> Iterator[None]:
+    """Add to the list each Ctrl-C that arrives, and let it do what it does."""
+
+    def note(number: int, frame: FrameType | None) -> None:
+        interrupts.append(number)
+        signal.default_int_handler(number, frame)
+
+    if (
+        signal.getsignal(signal.SIGINT) is not signal.default_int_handler
+        or threading.current_thread() is not threading.main_thread()
+    ):
+        yield
+        return
+    signal.signal(signal.SIGINT, note)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def _run(argv: Sequence[str]) -> int:

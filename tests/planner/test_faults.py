@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import json
 import shutil
+import signal
 from pathlib import Path
 from typing import Any
 
@@ -56,6 +57,27 @@ def test_exception_of_a_listener_passes_and_costs_the_core(
     fake_core.during_solve = FakeCore.during_solve
     assert planner.solve().verdict == "path"
     assert len(fake_core.built) == 2
+
+
+def test_interrupt_that_a_library_made_another_error_of(
+    fake_core: type[FakeCore], scene_file: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As numpy does where it is struck on import."""
+
+    def struck(_: Any) -> None:
+        try:
+            signal.raise_signal(signal.SIGINT)
+        except KeyboardInterrupt:
+            raise ImportError("numpy was struck") from None
+
+    fake_core.during_solve = staticmethod(struck)
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        assert main(["solve", scene_file]) == 3
+        assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert capsys.readouterr().err == "planar-planner: interrupted\n"
 
 
 def test_bad_ends_do_not_cost_the_core(
