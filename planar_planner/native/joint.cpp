@@ -38,7 +38,9 @@ std::size_t JointProof::bytes() const {
   std::size_t sum = sizeof(JointProof);
   for (const PairAxes& pair : pairs)
     sum += sizeof(pair) + pair.axes.capacity() * sizeof(PairAxes::Axis);
-  for (const JointSum& terms : sums) sum += sizeof(terms) + terms.capacity() * sizeof(JointTerm);
+  for (const JointSum& terms : sums) {
+    sum += sizeof(JointSum) + terms.capacity() * sizeof(JointTerm);
+  }
   return sum;
 }
 

@@ -79,7 +79,8 @@ void Labeller::root_list(ConstraintList& out) const {
     return;
   }
   for (std::uint32_t piece = tree_.wall_count(); piece < tree_.piece_count(); ++piece)
-    for (std::uint16_t i = 0; i < robot_.body_pieces(); ++i) out.pairs.push_back({piece, i, 0});
+    for (std::size_t i = 0; i < robot_.body_pieces(); ++i)
+      out.pairs.push_back({piece, static_cast<std::uint16_t>(i), 0});
 }
 
 const pdg::PosedRobot& Labeller::posed(const pdg::Rotation rotation) {

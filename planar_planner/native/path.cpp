@@ -15,6 +15,7 @@ constexpr double kKeptClearance = 0.5;
 
 std::vector<Pose> poses_of(const Problem& problem, const std::vector<Configuration>& path) {
   std::vector<Pose> poses;
+  poses.reserve(path.size());
   for (const Configuration& q : path) poses.push_back(pose_of(problem, q));
   return poses;
 }

@@ -123,21 +123,11 @@ Box point_of(const pdg::Frame& frame, const pdg::Vec2 t, const double theta) {
   return box;
 }
 
-Part part_of(const pdg::Frame& frame, const planner::Configuration& from,
-             const planner::Configuration& to, const double begin, const double end) {
-  const Ball middle = (Ball(begin) + Ball(end)) * kHalf;
-  const Ball half = (Ball(end) - Ball(begin)) * kHalf;
+Way way_of(const pdg::Frame& frame, const planner::Configuration& from,
+           const planner::Configuration& to) {
   const Vector start = framed(frame, {from.x, from.y});
-  const Vector way = framed(frame, {to.x, to.y}) - start;
-  const Ball turn = Ball(to.theta) - Ball(from.theta);
-  Part part;
-  part.turn = half * turn;
-  part.box.t = start + middle * way;
-  part.box.g1 = half * way;
-  part.box.rotation = sine_cosine(Ball(from.theta) + middle * turn);
-  part.box.h = absolute(part.turn);
-  part.box.half = sine_cosine(part.box.h);
-  return part;
+  return {start, framed(frame, {to.x, to.y}) - start, Ball(from.theta),
+          Ball(to.theta) - Ball(from.theta)};
 }
 
 Ball sinusoid_least(const Sinusoid& f, const Box& box) {
@@ -242,38 +232,6 @@ Ball largest_value(const Piece& a, const Piece& b, const Axis& axis, const Box& 
     return first ? here : greatest(before, here);
   };
   return over_corners(b, n, box, of) - robot_edge_offset(a, axis.edge);
-}
-
-Ball least_value(const Piece& a, const Piece& b, const Axis& axis, const Part& part) {
-  const Ball plain = least_value(a, b, axis, part.box);
-  const Ball& h = part.box.h;
-  if (!(Ball(1.5) - h).certainly_positive()) return plain;
-  const Vector& g = part.box.g1;
-  const bool obstacle = axis.owner == pdg::EdgeOwner::kObstacle;
-  const Vector n =
-      obstacle ? b.normals[axis.edge] : rotated(part.box.rotation, a.normals[axis.edge]);
-  const Piece& others = obstacle ? a : b;
-  Ball lowest;
-  for (std::size_t k = 0; k < others.vertices.size(); ++k) {
-    const Vector p =
-        obstacle ? rotated(part.box.rotation, others.vertices[k]) : others.vertices[k] - part.box.t;
-    const Ball v = dot(n, p);
-    const Ball w = obstacle ? dot(n, perpendicular(p)) : dot(perpendicular(n), p);
-    const Ball slope = (obstacle ? dot(n, g) : -dot(n, g)) + w * part.turn;
-    Ball rest = absolute(v) * h * h / Ball(2.0) + absolute(w) * h * h * h / Ball(6.0);
-    if (!obstacle) rest = rest + h * length(g);
-    const Ball here = v - absolute(slope) - rest;
-    lowest = k == 0 ? here : least(lowest, here);
-  }
-  const Ball shift =
-      obstacle ? dot(n, part.box.t - b.vertices[axis.edge]) : -robot_edge_offset(a, axis.edge);
-  return greatest(plain, lowest + shift);
-}
-
-bool apart(const Piece& a, const Piece& b, const Part& part) {
-  for (const Axis& axis : axes_of(a, b))
-    if (least_value(a, b, axis, part).certainly_not_negative()) return true;
-  return false;
 }
 
 bool apart(const Piece& a, const Piece& b, const Box& box) {

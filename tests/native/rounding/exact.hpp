@@ -43,13 +43,18 @@ Box box_of(const planner::CellSpace& space, const planner::Extent& extent);
 // One configuration of the user.
 Box point_of(const pdg::Frame& frame, pdg::Vec2 t, double theta);
 
-// A part of a straight motion: t + s g1, turned further by s turn, |s| <= 1.
-struct Part {
-  Box box;  // uncoupled
-  Ball turn;
+// A straight motion: start + u along, theta + u turn, for u in [0, 1].
+struct Way {
+  Vector start, along;
+  Ball theta, turn;
 };
-Part part_of(const pdg::Frame& frame, const planner::Configuration& from,
-             const planner::Configuration& to, double begin, double end);
+Way way_of(const pdg::Frame& frame, const planner::Configuration& from,
+           const planner::Configuration& to);
+
+// Of a motion, begin <= u <= end.
+struct Stretch {
+  Ball begin, end;
+};
 
 // A separating-axis function: an edge of the piece of the robot or of the obstacle.
 struct Axis {
@@ -60,13 +65,16 @@ std::vector<Axis> axes_of(const Piece& a, const Piece& b);
 // Its least and its largest value over the box: attained, not only bounds.
 Ball least_value(const Piece& a, const Piece& b, const Axis& axis, const Box& box);
 Ball largest_value(const Piece& a, const Piece& b, const Axis& axis, const Box& box);
-// A lower bound over a part of a motion: the uncoupled one, or the expansion to first order about
-// the middle with its remainders (docs/method.md, "Segments with coupled motion"), for small turns.
-Ball least_value(const Piece& a, const Piece& b, const Axis& axis, const Part& part);
+// A lower bound of its least value over a stretch: not below `wanted` if it is certain that no
+// value is; else within `slack` of the least, unless kMostHalvings were not enough. By halving
+// where the bounds are lowest: of each part, the uncoupled bound, or the expansion to first order
+// about its middle with all remainders.
+Ball least_value(const Piece& a, const Piece& b, const Axis& axis, const Way& way,
+                 const Stretch& stretch, double wanted, double slack);
 
 // Some axis separates (touching allowed) in every configuration, beyond doubt.
 bool apart(const Piece& a, const Piece& b, const Box& box);
-bool apart(const Piece& a, const Piece& b, const Part& part);
+bool apart(const Piece& a, const Piece& b, const Way& way, const Stretch& stretch);
 // The interiors meet in every configuration, beyond doubt.
 bool overlap(const Piece& a, const Piece& b, const Box& box);
 // Least over the configurations of the box of the depth by which the pieces overlap, from below:

@@ -17,6 +17,9 @@ namespace {
 using planner::Configuration;
 using planner::Interval;
 
+// Of the bound: how far the exact least value of a range may be from known.
+constexpr double kSlack = 0x1p-10;
+
 struct Way {
   Configuration from, to;  // user's units
   double at;               // where it comes near the target
@@ -80,9 +83,10 @@ std::vector<Tally> segments(const Request& request) {
     if (m.half_angle > std::numbers::pi / 2) continue;
     const exact::Piece exact_a = exact::framed(exact::robot_frame(c.frame), c.a);
     const exact::Piece exact_b = exact::framed(c.frame, c.b);
-    const exact::Part part =
-        exact::part_of(c.frame, way.from, way.to, interval.begin, interval.end);
-    if (label == pdg::PairLabel::kApart) tally.claim(exact::apart(exact_a, exact_b, part));
+    const exact::Way exact_way = exact::way_of(c.frame, way.from, way.to);
+    const exact::Stretch stretch{interval.begin, interval.end};
+    if (label == pdg::PairLabel::kApart)
+      tally.claim(exact::apart(exact_a, exact_b, exact_way, stretch));
     const double middle = 0.5 * (interval.begin + interval.end);
     const Posed posed(a, planner::rotation_at(planner::between(from, to, middle).theta));
     const auto any = random.pick(0, static_cast<int>(active.size()) - 1);
@@ -92,7 +96,9 @@ std::vector<Tally> segments(const Request& request) {
     const double largest_angle = std::max(std::abs(from.theta), std::abs(to.theta));
     const double bound = (kSeparationUnits + kAngleUnits * largest_angle) * pdg::kUnitRoundoff *
                          (a.reach + b.reach + m.reach);
-    tally.not_above(range.lo, exact::least_value(exact_a, exact_b, {one.owner, one.edge}, part),
+    tally.not_above(range.lo,
+                    exact::least_value(exact_a, exact_b, {one.owner, one.edge}, exact_way, stretch,
+                                       range.lo, kSlack * bound),
                     bound);
   }
   return {tally};
