@@ -23,6 +23,7 @@ from scale_parts.families import GEAR_CRITICAL
 
 from planar_planner import Options, load_scene, solve
 from planar_planner.builtin import manifest
+from planar_planner.core import ask, make_core
 from planar_planner.planner import SceneLike
 from planar_planner.problem import make_problem
 from scenarios import corner, field, gear, maze
@@ -80,8 +81,9 @@ def counted() -> dict[str, dict[str, Any]]:
     for scene_name, parts in PARTS.items():
         problem = make_problem(shipped[scene_name])
         for part in parts:
-            core = variants.make_core(problem, by_name[part])
-            answer = variants.solve(core, problem, Options())
+            variant = by_name[part]
+            core = make_core(problem, variant.without, variant.query)
+            answer = ask(core, problem, Options())
             counts = {key: int(answer["stats"][key]) for key in COUNTS}
             found[f"{scene_name}: {part}"] = {"verdict": answer["verdict"], **counts}
     return found

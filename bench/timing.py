@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import statistics
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -60,6 +61,19 @@ class Measured:
         return int(self.result.stats["cells"])
 
 
+def repetitions(budget: float, fewest: int, most: int, patience: float = math.inf) -> Iterator[int]:
+    """Count repetitions for about `budget` seconds, `fewest` to `most` of them.
+
+    Beyond `patience` seconds there is none but the first, even if that makes fewer than `fewest`.
+    """
+    began = time.perf_counter()
+    for done in range(most):
+        elapsed = time.perf_counter() - began
+        if done > 0 and elapsed >= (budget if done >= fewest else patience):
+            return
+        yield done
+
+
 def measure(
     scene: str | Mapping[str, Any] | Scene,
     options: Options | None = None,
@@ -69,10 +83,7 @@ def measure(
     """Repeat a query for about `budget` seconds; raise if its answer is not always the same."""
     loaded = scene if isinstance(scene, Scene) else load_scene(scene)
     runs: list[tuple[float, float, Result]] = []
-    began = time.perf_counter()
-    while len(runs) < min(FEWEST, most) or (
-        len(runs) < most and time.perf_counter() - began < budget
-    ):
+    for _ in repetitions(budget, FEWEST, most):
         before = time.perf_counter()
         result = Planner(loaded).solve(options=options)
         whole = time.perf_counter() - before

@@ -20,8 +20,9 @@ from typing import Any
 import numpy as np
 
 from planar_planner.certificate import make_certificate
+from planar_planner.core import ask, make_core
 from planar_planner.errors import OptionsError
-from planar_planner.judge import Judge, make_core
+from planar_planner.judge import Judge
 from planar_planner.options import Options
 from planar_planner.placement import check_placements
 from planar_planner.planner import SceneLike
@@ -206,16 +207,7 @@ def run_ours(problem: Problem, judge: Judge, limit: float) -> OurRun:
     options = Options(timeout=limit)
     began = time.perf_counter()
     core = make_core(problem)
-    answer = core.solve(
-        problem.start,
-        problem.goal,
-        options.resolution,
-        options.max_cells,
-        options.timeout,
-        options.max_memory,
-        options.contact_tolerance,
-        None,
-    )
+    answer = ask(core, problem, options)
     answered = time.perf_counter()
     certificate = make_certificate(problem, core.evidence(), options.contact_tolerance)
     ended = time.perf_counter()

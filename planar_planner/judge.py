@@ -8,7 +8,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from planar_planner._core import Core, StateCheck
+from planar_planner._core import StateCheck
+from planar_planner.core import make_core
 from planar_planner.problem import Problem
 
 Soundness = Literal["sound", "collides", "unknown"]
@@ -79,16 +80,3 @@ def unwrapped(waypoints: NDArray[np.float64]) -> NDArray[np.float64]:
         turns = round((points[i - 1, 2] - points[i, 2]) / math.tau)
         points[i, 2] += turns * math.tau
     return points
-
-
-def make_core(problem: Problem) -> Core:
-    """Return a fresh core for a problem."""
-    workspace = problem.workspace
-    return Core(
-        problem.robot.arrays,
-        problem.obstacles.arrays,
-        problem.workspace_box,
-        None if workspace is None else workspace.arrays,
-        problem.reference_bounds,
-        problem.rotation,
-    )

@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from planar_planner._core import Core
 from planar_planner.certificate import make_certificate
+from planar_planner.core import Listener, ask, make_core
 from planar_planner.errors import SceneError
 from planar_planner.options import Options
 from planar_planner.placement import check_placements
 from planar_planner.problem import Problem, make_problem, with_query
 from planar_planner.result import Result, Undecided, make_result
 from planar_planner.scene import Scene, load_scene
-
-Listener = Callable[[dict[str, Any]], bool]
-"""Called about ten times a second with running counts; returning False stops the search."""
 
 SceneLike = Scene | str | os.PathLike[str] | Mapping[str, Any]
 
@@ -74,7 +72,7 @@ class Planner:
     def __init__(self, scene: SceneLike) -> None:
         self.scene = scene if isinstance(scene, Scene) else load_scene(scene)
         self.problem = make_problem(self.scene)
-        self._core: Core | None = _make_core(self.problem)
+        self._core: Core | None = make_core(self.problem)
         self._busy = threading.Lock()
 
     def solve(
@@ -121,23 +119,14 @@ class Planner:
         It is kept for the next query only if it has answered this one: an exception, of a listener
         or for want of memory, may have left cells half divided.
         """
-        core = self._core or _make_core(self.problem)
+        core = self._core or make_core(self.problem)
         self._core = None
         try:
             check_placements(core, query, limits.contact_tolerance)
         except SceneError:
             self._core = core
             raise
-        answer = core.solve(
-            query.start,
-            query.goal,
-            limits.resolution,
-            limits.max_cells,
-            limits.timeout,
-            limits.max_memory,
-            limits.contact_tolerance,
-            listener,
-        )
+        answer = ask(core, query, limits, listener)
         evidence = core.evidence() if certificate else None
         self._core = core
         if evidence is None:
@@ -145,15 +134,3 @@ class Planner:
         return make_result(
             query.name, answer, make_certificate(query, evidence, limits.contact_tolerance)
         )
-
-
-def _make_core(problem: Problem) -> Core:
-    workspace = problem.workspace
-    return Core(
-        problem.robot.arrays,
-        problem.obstacles.arrays,
-        problem.workspace_box,
-        None if workspace is None else workspace.arrays,
-        problem.reference_bounds,
-        problem.rotation,
-    )

@@ -69,7 +69,7 @@ class FakeCore:
     reason = "straight move"
     during_solve: Callable[[Any], None] = staticmethod(lambda listener: None)
 
-    def __init__(self, *arguments: Any) -> None:
+    def __init__(self, *arguments: Any, **parts: Any) -> None:
         type(self).built.append(arguments)
 
     def placement(self, q: tuple[float, float, float]) -> dict[str, Any]:
@@ -95,7 +95,7 @@ def fake_core(monkeypatch: pytest.MonkeyPatch) -> type[FakeCore]:
     module.Core = core  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, "planar_planner._core", module)
     # modules that took the real class by name are imported anew, with the stand-in
-    for name in ("placement", "planner", "commands.solve"):
+    for name in ("core", "placement", "planner", "commands.solve"):
         monkeypatch.delitem(sys.modules, f"planar_planner.{name}", raising=False)
     import planar_planner
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from timing import Spread
+from timing import Spread, repetitions
 
 from planar_planner import Options
-from planar_planner._core import Core
+from planar_planner.core import ask, make_core
 from planar_planner.problem import Problem
 
 FEWEST, MOST = 3, 15
@@ -74,54 +74,13 @@ class Outcome:
         return int(self.stats["labelled_cells"])
 
 
-def make_core(problem: Problem, variant: Variant) -> Core:
-    """Return a core without the variant's parts."""
-    workspace = problem.workspace
-    return Core(
-        problem.robot.arrays,
-        problem.obstacles.arrays,
-        problem.workspace_box,
-        None if workspace is None else workspace.arrays,
-        problem.reference_bounds,
-        problem.rotation,
-        without=list(variant.without),
-        query=variant.query,
-    )
-
-
 def outcome(problem: Problem, variant: Variant, limits: Options, budget: float) -> Outcome:
     """Ask fresh cores for about `budget` seconds; slow queries are asked once."""
     runs: list[tuple[float, dict[str, Any]]] = []
-    began = time.perf_counter()
-    while not runs or _go_on(len(runs), time.perf_counter() - began, budget):
+    for _ in repetitions(budget, FEWEST, MOST, patience=FEWEST * budget):
         before = time.process_time()
-        answer = solve(make_core(problem, variant), problem, limits)
+        answer = ask(make_core(problem, variant.without, variant.query), problem, limits)
         runs.append((time.process_time() - before, answer))
     middle = sorted(runs, key=lambda run: run[0])[len(runs) // 2][1]
     seconds = Spread.of([run[0] for run in runs])
     return Outcome(variant, middle["verdict"], middle["reason"], seconds, middle["stats"])
-
-
-def _go_on(done: int, elapsed: float, budget: float) -> bool:
-    if done < FEWEST:
-        return elapsed < FEWEST * budget
-    return done < MOST and elapsed < budget
-
-
-def solve(
-    core: Core,
-    problem: Problem,
-    limits: Options,
-    listener: Callable[[dict[str, Any]], bool] | None = None,
-) -> dict[str, Any]:
-    """Ask a core the problem's own query."""
-    return core.solve(
-        problem.start,
-        problem.goal,
-        limits.resolution,
-        limits.max_cells,
-        limits.timeout,
-        limits.max_memory,
-        limits.contact_tolerance,
-        listener,
-    )

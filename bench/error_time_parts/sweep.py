@@ -8,11 +8,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from timing import Spread
+from timing import Spread, repetitions
 
 from error_time_parts.truths import SIDES, Side, Truth
 from planar_planner import Options, load_scene
-from planar_planner._core import Core
+from planar_planner.core import ask, make_core
 from planar_planner.problem import Problem, make_problem
 
 # The finest that doubles allow: at the default resolution the band begins at some 1e-10.
@@ -102,12 +102,9 @@ def measure(truth: Truth, name: str, side: Side, distance: float, effort: Effort
     """Repeat a query on a fresh core each time; raise if the answer is wrong or varies."""
     parameter = truth.parameter(side, distance)
     problem = make_problem(load_scene(truth.make(parameter)))
-    began = time.perf_counter()
     runs: list[Run] = []
-    while len(runs) < effort.fewest or (
-        len(runs) < effort.most and time.perf_counter() - began < effort.budget
-    ):
-        runs.append(ask(problem, name, effort.limit))
+    for _ in repetitions(effort.budget, effort.fewest, effort.most):
+        runs.append(answered(problem, name, effort.limit))
         if runs[-1].verdict == "undecided":  # at a limit; a repetition says nothing new
             break
         if runs[-1].verdict != side:
@@ -140,32 +137,12 @@ class Run(NamedTuple):
     reason: str
 
 
-def ask(problem: Problem, name: str, limit: float) -> Run:
+def answered(problem: Problem, name: str, limit: float) -> Run:
     """Answer a query once with a variant, on a fresh core."""
     without, query = PARTS[name]
-    workspace = problem.workspace
     options = Options(resolution=RESOLUTION, timeout=limit)
     began = time.thread_time()
-    core = Core(
-        problem.robot.arrays,
-        problem.obstacles.arrays,
-        problem.workspace_box,
-        None if workspace is None else workspace.arrays,
-        problem.reference_bounds,
-        problem.rotation,
-        without,
-        query,
-    )
-    answer = core.solve(
-        problem.start,
-        problem.goal,
-        options.resolution,
-        options.max_cells,
-        options.timeout,
-        options.max_memory,
-        options.contact_tolerance,
-        None,
-    )
+    answer = ask(make_core(problem, without, query), problem, options)
     cpu = time.thread_time() - began
     stats = answer["stats"]
     seconds = float(stats["seconds"]["total"])

@@ -39,9 +39,8 @@ def measure(family: str, value: float, timeout: float) -> dict[str, Any]:
 
 def here(family: str, value: float, timeout: float) -> dict[str, Any]:
     """Measure the point in this process; seconds are of the processor."""
-    from ablation_parts.variants import PLANNER, make_core, solve
-
     from planar_planner import Options, load_scene
+    from planar_planner.core import ask, make_core
     from planar_planner.problem import make_problem
     from scale_parts.families import families
 
@@ -54,7 +53,7 @@ def here(family: str, value: float, timeout: float) -> dict[str, Any]:
     seconds: list[float] = []
     while not seconds or (sum(seconds) < BUDGET and len(seconds) < MOST):
         before = time.process_time()
-        answer = solve(make_core(problem, PLANNER), problem, limits)
+        answer = ask(make_core(problem), problem, limits)
         seconds.append(time.process_time() - before)
     stats = answer["stats"]
     return {

@@ -10,6 +10,8 @@ from itertools import pairwise
 from timing import Spread
 
 from planar_planner import Planner
+from planar_planner.judge import Judge
+from planar_planner.problem import Problem
 from planar_planner.scene import Scene
 
 SEED = 5
@@ -35,7 +37,7 @@ def repeated(scene: Scene, queries: int) -> Repeated:
     """Ask for ways between random free configurations of the scene."""
     rng = random.Random(SEED)
     kept = Planner(scene)
-    ends = _free_configurations(kept, rng, queries + 1)
+    ends = _free_configurations(kept.problem, rng, queries + 1)
     found = Repeated(scene.name, [], [], [])
     for start, goal in pairwise(ends):
         seconds, verdict, cells = _ask(kept, start, goal)
@@ -58,12 +60,10 @@ def _ask(
 
 
 def _free_configurations(
-    planner: Planner, rng: random.Random, count: int
+    problem: Problem, rng: random.Random, count: int
 ) -> list[tuple[float, float, float]]:
     """Draw them from the workspace's box."""
-    from planar_planner._core import StateCheck
-
-    check = StateCheck(planner._core)  # type: ignore[arg-type]
+    check = Judge(problem).check
     low_x, high_x, low_y, high_y = _bounds(check.bounds)
     found: list[tuple[float, float, float]] = []
     while len(found) < count:
