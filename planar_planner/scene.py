@@ -134,10 +134,11 @@ def _read(path: Path, source: str) -> object:
         raise SceneError(f"cannot read the scene: {reason}", source=source) from None
     if len(data) > MAX_FILE_BYTES:
         raise SceneError(f"is larger than {MAX_FILE_BYTES} bytes", source=source)
-    return _parse(data, source)
+    return parse(data, source)
 
 
-def _parse(data: bytes, source: str) -> object:
+def parse(data: bytes, source: str) -> object:
+    """Return the JSON content of a scene file named `source` in errors, not yet checked."""
     try:
         with _collector_paused():
             return json.loads(data, object_pairs_hook=_without_duplicates)

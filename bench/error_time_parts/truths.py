@@ -107,7 +107,7 @@ def with_formula() -> Iterator[Truth]:
     yield _of(by_name["gate 0.5 thick, rectangle"], _width(rectangle), "rectangle, slot")
     for sides in (5, 8, 32):
         ring = draw.regular_ring(sides, 0.5)
-        family = known._gate(f"{sides}-gon", ring, 0.5)
+        family = known.gate(f"{sides}-gon", ring, 0.5)
         yield _of(family, _width(ring), f"{sides}-gon, slot")
 
     yield _turning_triangle()

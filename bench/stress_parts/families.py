@@ -65,11 +65,11 @@ def families() -> Iterator[Family]:
         lambda neck: neck >= bug_trap.ROBOT_WIDTH,
     )
     for name, ring in ROBOTS.items():
-        yield _gate(name, ring, 0.5)
-    yield _gate("rectangle", ROBOTS["rectangle"], 0.5, turns=False)
-    yield _gate("rectangle", ROBOTS["rectangle"], 3.0)
-    yield _gate("rectangle", ROBOTS["rectangle"], 0.5, by=Similarity(3 + 4j))
-    yield _gate("triangle", ROBOTS["triangle"], 0.25, by=Similarity(5 + 2j))
+        yield gate(name, ring, 0.5)
+    yield gate("rectangle", ROBOTS["rectangle"], 0.5, turns=False)
+    yield gate("rectangle", ROBOTS["rectangle"], 3.0)
+    yield gate("rectangle", ROBOTS["rectangle"], 0.5, by=Similarity(3 + 4j))
+    yield gate("triangle", ROBOTS["triangle"], 0.25, by=Similarity(5 + 2j))
     for walls in (False, True):
         yield _room(1.0, 1.0, walls=walls)
         yield _room(3.0, 4.0, walls=walls)
@@ -128,7 +128,7 @@ ROBOTS: dict[str, list[draw.Point]] = {
 }
 
 
-def _gate(
+def gate(
     name: str,
     ring: list[draw.Point],
     thick: float,
@@ -144,13 +144,13 @@ def _gate(
     """
     squared = squared_width(polygon(ring))
 
-    def make(gate: float) -> Scene:
-        y, x = 0.5 * gate, 0.5 * thick
+    def make(width: float) -> Scene:
+        y, x = 0.5 * width, 0.5 * thick
         theta = 1.0 if turns else 0.0
         made = plain(
             draw.scene(
                 "gate",
-                f"{name} through a gate {gate} wide.",
+                f"{name} through a gate {width} wide.",
                 workspace=(-4.0, -4.0, 4.0, 4.0),
                 robot=draw.polygon(ring),
                 obstacles=[draw.box(-x, y, x, 4.0), draw.box(-x, -4.0, x, -y)],
@@ -168,7 +168,7 @@ def _gate(
         f"{kind} {thick} thick, {name}{'' if turns else ', no turning'}",
         math.sqrt(squared),
         make,
-        lambda gate: Fraction(gate) ** 2 >= squared,
+        lambda width: Fraction(width) ** 2 >= squared,
         grid=2.0**-44 if by else 0.0,
     )
 

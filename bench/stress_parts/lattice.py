@@ -26,7 +26,7 @@ def lattice_scene(rng: Random) -> tuple[Scene, bool]:
     while True:
         robot = _robot(rng)
         obstacles = _boxes(rng)
-        free = _free_cells(robot, obstacles)
+        free = free_cells(robot, obstacles)
         ends = sorted(cell for cell in free if cell[0] % 2 == 0 and cell[1] % 2 == 0)
         if len(ends) > 1:
             break
@@ -42,7 +42,7 @@ def lattice_scene(rng: Random) -> tuple[Scene, bool]:
         "start": [0.5 * STEP * start[0], 0.5 * STEP * start[1], 0.0],
         "goal": [0.5 * STEP * goal[0], 0.5 * STEP * goal[1], 0.0],
     }
-    return scene, goal in _reached(start, free)
+    return scene, goal in reached(start, free)
 
 
 def _robot(rng: Random) -> list[Box]:
@@ -69,7 +69,7 @@ def _ring(box: Box) -> list[list[float]]:
     return [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
 
 
-def _free_cells(robot: list[Box], obstacles: list[Box]) -> set[Cell]:
+def free_cells(robot: list[Box], obstacles: list[Box]) -> set[Cell]:
     """Return the vertices, edges and faces at which the robot is free and in the world."""
     blocked = [
         (2 * (b[0] - a[2]), 2 * (b[1] - a[3]), 2 * (b[2] - a[0]), 2 * (b[3] - a[1]))
@@ -92,7 +92,8 @@ def _neighbours(cell: Cell, free: set[Cell]) -> list[Cell]:
     return [other for other in near if other in free]
 
 
-def _reached(start: Cell, free: set[Cell]) -> set[Cell]:
+def reached(start: Cell, free: set[Cell]) -> set[Cell]:
+    """Return the cells that are connected with the start's."""
     found, todo = {start}, [start]
     while todo:
         for other in _neighbours(todo.pop(), free):

@@ -66,13 +66,13 @@ def test_longest_round_corner() -> None:
 def test_lattices_against_shapely(seed: int) -> None:
     """Placements that shapely calls free by a margin, or overlapping by area, are so."""
     import shapely
-    from stress_parts.lattice import SIDE, STEP, _free_cells
+    from stress_parts.lattice import SIDE, STEP, free_cells
 
     rng = random.Random(seed)
     robot = [(0, 0, 2, 1), (0, 1, 1, 2)]
     places = [(rng.randrange(8), rng.randrange(8)) for _ in range(3)]
     obstacles = [(x, y, x + 2, y + 1) for x, y in places]
-    free = _free_cells(robot, obstacles)
+    free = free_cells(robot, obstacles)
     world = shapely.box(0.0, 0.0, SIDE * STEP, SIDE * STEP)
     solid = shapely.union_all([shapely.box(*(STEP * v for v in box)) for box in obstacles])
     body = shapely.union_all([shapely.box(*(STEP * v for v in box)) for box in robot])
@@ -85,15 +85,15 @@ def test_lattices_against_shapely(seed: int) -> None:
 
 def test_lattices_connect_through_contact() -> None:
     """A unit box passes gates and passages of just its size, and no corner that closes them."""
-    from stress_parts.lattice import _free_cells, _reached
+    from stress_parts.lattice import free_cells, reached
 
     for obstacles, passes in (
         ([(0, 4, 3, 5), (4, 4, 8, 5)], True),  # a gate of just its width
         ([(0, 4, 4, 5), (4, 3, 8, 4)], False),  # corner to corner
         ([(0, 4, 4, 5), (4, 2, 8, 3)], True),  # a passage of just its height
     ):
-        free = _free_cells([(0, 0, 1, 1)], obstacles)
-        assert ((0, 14) in _reached((0, 0), free)) == passes
+        free = free_cells([(0, 0, 1, 1)], obstacles)
+        assert ((0, 14) in reached((0, 0), free)) == passes
 
 
 def test_families_have_both_sides() -> None:
