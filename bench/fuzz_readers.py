@@ -12,7 +12,7 @@ import json
 import random
 import sys
 
-import atheris  # type: ignore[import-untyped]
+import atheris
 
 with atheris.instrument_imports(include=["planar_planner"]):
     from stress_parts.hostile_mutations import mutated, read_certificate, read_scene

@@ -131,8 +131,8 @@ def _geometry(value: object, name: str) -> Any:
     if not isinstance(described, str | Mapping):
         return None
     # Imported late: plain coordinates do without shapely, which takes long to load.
-    import shapely  # type: ignore[import-untyped]
-    from shapely.geometry import shape  # type: ignore[import-untyped]
+    import shapely
+    from shapely.geometry import shape
 
     if isinstance(value, shapely.Geometry):
         return value

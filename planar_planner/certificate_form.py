@@ -23,7 +23,7 @@ WALLS = ("x_min", "x_max", "y_min", "y_max")
 Source = str | os.PathLike[str] | Mapping[str, Any]
 
 
-class Finding(Exception):  # noqa: N818
+class Finding(Exception):  # noqa: N818  (a rejection, too, is one)
     """What is wrong, and where: `args` are place and problem."""
 
     def __str__(self) -> str:
@@ -144,6 +144,16 @@ _OUTSIDE: list[dict[str, Any]] = [{}, {"outside": (_LENGTH,) * 4}]
 _CERTIFICATE = _any_of(*(_COMMON | kind | more for kind in _KINDS for more in _OUTSIDE))
 
 
+def _text(path: Path) -> bytes:
+    with path.open("rb") as file:
+        zipped = file.read(2) == b"\x1f\x8b"
+        file.seek(0)
+        text: bytes = (gzip.GzipFile(fileobj=file) if zipped else file).read(MAX_BYTES + 1)
+    if len(text) > MAX_BYTES or sum(map(text.count, (b"[", b"{", b","))) > MAX_VALUES:
+        raise ValueError("is too large")
+    return text
+
+
 def read_certificate(source: Source) -> Any:
     """Return a certificate's content, lengths in units and short lists as tuples."""
 
@@ -155,13 +165,7 @@ def read_certificate(source: Source) -> Any:
     if isinstance(source, Mapping):
         return _CERTIFICATE(source)
     try:
-        with Path(source).open("rb") as file:
-            zipped = file.read(2) == b"\x1f\x8b"
-            file.seek(0)
-            data: bytes = (gzip.GzipFile(fileobj=file) if zipped else file).read(MAX_BYTES + 1)
-        if len(data) > MAX_BYTES or sum(map(data.count, (b"[", b"{", b","))) > MAX_VALUES:
-            raise ValueError("is too large")  # noqa: TRY301
-        content = json.loads(data, object_pairs_hook=unique)
+        content = json.loads(_text(Path(source)), object_pairs_hook=unique)
     except (OSError, ValueError, EOFError, zlib.error, RecursionError) as error:
         reason = getattr(error, "strerror", "") or str(error)
         raise CertificateError("", f"cannot be read: {reason}") from None

@@ -121,7 +121,7 @@ def judged_exactly(polygons: RawPolygons) -> Defect | None:
 
 def judged_by_geos(polygons: RawPolygons) -> Defect | None:
     """Judge by shapely, for who wants nothing of the planner's own; wrong within rounding only."""
-    import shapely  # type: ignore[import-untyped]  # a tenth of a second: only where it is asked
+    import shapely  # a tenth of a second: only where it is asked
 
     ring_of_vertex = np.repeat(
         np.arange(len(polygons.ring_starts) - 1), np.diff(polygons.ring_starts)

@@ -19,8 +19,9 @@ def _lines(items: list[Any]) -> str:
 
 def scene_text(made: Scene) -> str:
     """Return the file of a scene: a key a line, an obstacle a line, shortest exact numbers."""
+    obstacles = _lines(made["obstacles"])
     fields = [
-        f"  {json.dumps(key)}: {_lines(value) if key == 'obstacles' else json.dumps(value)}"  # type: ignore[arg-type]
+        f"  {json.dumps(key)}: {obstacles if key == 'obstacles' else json.dumps(value)}"
         for key, value in made.items()
     ]
     return "{\n" + ",\n".join(fields) + "\n}\n"

@@ -7,7 +7,7 @@ that the files are the same to the byte on platforms whose libraries differ in t
 
 import math
 from collections.abc import Sequence
-from typing import Any, NotRequired, TypeAlias, TypedDict
+from typing import Any, NotRequired, TypeAlias, TypedDict, cast
 
 DECIMALS = 12  # far below any gap of a scene, far above the last bit of a double of size 1 to 100
 
@@ -66,7 +66,7 @@ def scene(
     made["obstacles"] = list(obstacles)
     made["start"] = [float(v) for v in start]
     made["goal"] = [float(v) for v in goal]
-    return made  # type: ignore[return-value]  # built key by key, so that the file's order is ours
+    return cast(Scene, made)  # built key by key, so that the file's order is ours
 
 
 def _closed(ring: Sequence[Point]) -> list[list[float]]:

@@ -92,7 +92,7 @@ def fake_core(monkeypatch: pytest.MonkeyPatch) -> type[FakeCore]:
     """Replace the core of the planner by a fresh stand-in."""
     core = type("Core", (FakeCore,), {"built": [], "solved": []})
     module = ModuleType("planar_planner._core")
-    module.Core = core  # type: ignore[attr-defined]
+    vars(module)["Core"] = core
     monkeypatch.setitem(sys.modules, "planar_planner._core", module)
     # modules that took the real class by name are imported anew, with the stand-in
     for name in ("core", "placement", "planner", "commands.solve"):

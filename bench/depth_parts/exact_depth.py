@@ -8,7 +8,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
-import shapely  # type: ignore[import-untyped]
+import shapely
 from numpy.typing import NDArray
 from stress_parts.exact import PLACES, polygon, turned
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -46,13 +47,13 @@ def panels(count: int, height: float = 2.6) -> tuple[Figure, list[Axes]]:
     return figure, axes[:count]
 
 
-def draw_curve(axes: Axes, curve: Sequence[Step], end: float, label: str, **look: object) -> None:
+def draw_curve(axes: Axes, curve: Sequence[Step], end: float, label: str, **look: Any) -> None:
     """Draw the steps of an error against time: it stays until the next step."""
     if not curve:
         return
     times = [MS * step.seconds for step in curve] + [MS * end]
     errors = [step.error for step in curve] + [curve[-1].error]
-    axes.step(times, errors, where="post", label=label, **look)  # type: ignore[arg-type]
+    axes.step(times, errors, where="post", label=label, **look)
 
 
 def error_picture(points: Sequence[Point], planners: Sequence[str], name: str) -> Path:

@@ -57,7 +57,7 @@ class Truth:
     no_path_at: Fraction
     path_at: Fraction
     passing: int
-    has_path: Callable[[float], bool] | None
+    has_path: known.Theorem | None
     grid: float = 0.0
     finest: float = 1e-12
     expected: bool = True

@@ -18,6 +18,9 @@ from stress_parts.common import Scene
 from stress_parts.exact import longest_round_corner, polygon, squared_width
 from stress_parts.maps import Similarity, similar
 
+Theorem = Callable[[float | Fraction], bool]
+"""Whether there is a path at a parameter, in rational arithmetic."""
+
 
 @dataclass(frozen=True)
 class Family:
@@ -40,7 +43,7 @@ class Family:
     name: str
     critical: float
     make: Callable[[float], Scene]
-    has_path: Callable[[float], bool]
+    has_path: Theorem
     grid: float = 0.0
 
     def parameter(self, relative: float) -> float:
@@ -82,7 +85,7 @@ def _corner(width: float) -> Family:
     s = sin φ + cos φ, which falls with s for w < 1 and is least at s = √2.
     """
 
-    def has_path(length: float) -> bool:
+    def has_path(length: float | Fraction) -> bool:
         return bool((Fraction(length) / 2 + Fraction(width)) ** 2 <= 2)
 
     return Family(

@@ -17,7 +17,7 @@ import random
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-import shapely  # type: ignore[import-untyped]
+import shapely
 
 from planar_planner import Options, load_scene
 from planar_planner.builtin import manifest

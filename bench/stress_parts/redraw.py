@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
 
-import shapely  # type: ignore[import-untyped]
+import shapely
 
 from stress_parts.common import Scene
 from stress_parts.maps import Point, box_polygon, double

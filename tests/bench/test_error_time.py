@@ -30,8 +30,8 @@ def test_critical_values_agree_with_their_theorems_to_50_places(truth: truths.Tr
     assert truth.path_at == truth.no_path_at
     off = truth.path_at * Fraction(1, 10**50) * truth.passing
     assert truth.has_path is not None
-    assert truth.has_path(truth.path_at + off)  # type: ignore[arg-type]  # they take any rational
-    assert not truth.has_path(truth.path_at - off)  # type: ignore[arg-type]
+    assert truth.has_path(truth.path_at + off)
+    assert not truth.has_path(truth.path_at - off)
 
 
 def test_the_corner_against_its_formula() -> None:

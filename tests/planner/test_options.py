@@ -24,7 +24,7 @@ def test_defaults() -> None:
 
 def test_frozen() -> None:
     with pytest.raises(dataclasses.FrozenInstanceError):
-        Options().timeout = 1.0  # type: ignore[misc]
+        Options().timeout = 1.0  # type: ignore[misc]  # that is the test
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 """The oracles themselves: on cases whose answer is known by hand."""
 
 import math
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pytest
@@ -76,13 +76,13 @@ def test_translational_obstacle_of_two_squares() -> None:
 
 
 @pytest.mark.parametrize("side", ["subset", "superset"])
-def test_grid_labels_hold_in_the_whole_cell(side: str) -> None:
+def test_grid_labels_hold_in_the_whole_cell(side: Literal["subset", "superset"]) -> None:
     """Random configurations against shapely: subset cells free, cells outside the superset not."""
     ring = [(-0.9, -0.9), (0.9, -0.9), (0.9, 0.0), (0.0, 0.0), (0.0, 0.9), (-0.9, 0.9)]
     content = wall_scene(robot=polygon(ring))
     made = shapes(content)
     grid = make_grid(made, 0.2)
-    free = free_cells(made, grid, side=side)  # type: ignore[arg-type]
+    free = free_cells(made, grid, side=side)
     rng = np.random.default_rng(5)
     low, high = made.reference_domain[:2], made.reference_domain[2:]
     decided = 0
