@@ -53,6 +53,10 @@ LARGEST_TURN = math.pi / 2
 EXACT_THRESHOLD = sys.float_info.epsilon
 """OMPL's threshold of a goal that is a state and nothing round it."""
 
+SHORTEST_LIMIT = 1e-9
+"""Seconds. A limit must be positive, but time may run out between a look at the clock and the next;
+the core gives up at its first look then."""
+
 Status = base.PlannerStatus.PlannerStatusType
 
 
@@ -234,7 +238,7 @@ class _Clock:
 
     def remaining(self) -> float:
         """Return the seconds left; positive."""
-        return max(self._end - time.monotonic(), 1e-9)
+        return max(self._end - time.monotonic(), SHORTEST_LIMIT)
 
     def has_run_out(self) -> bool:
         return time.monotonic() >= self._end or bool(self._asked())

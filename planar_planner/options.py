@@ -7,6 +7,11 @@ from dataclasses import dataclass
 
 from planar_planner.errors import OptionsError
 
+DEFAULT_RESOLUTION = 1e-9
+"""A fraction of the configuration space's extent, so without unit. It is fine, because cells grow
+with no more than its logarithm; a path round the corner is found down to 1e-10 from critical. Native
+code that asks the core without Python has the same default (native/limits.hpp)."""
+
 
 @dataclass(frozen=True)
 class Options:
@@ -18,7 +23,7 @@ class Options:
     ----------
     resolution : float
         Extent of the smallest cell, as a fraction of the extent of the configuration space, per
-        axis; in (0, 1]. Cells grow with the logarithm of its inverse, so the default is small.
+        axis; in (0, 1].
     max_cells : int
         Cells of the subdivision, counting leaves; at least 1.
     timeout : float
@@ -32,7 +37,7 @@ class Options:
         them from overlap.
     """
 
-    resolution: float = 1e-9
+    resolution: float = DEFAULT_RESOLUTION
     max_cells: int = 5_000_000
     timeout: float = 60.0
     max_memory: int = 4 * 2**30

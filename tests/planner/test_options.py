@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import re
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -20,6 +22,21 @@ def test_defaults() -> None:
         "max_memory": 4 * 2**30,
         "contact_tolerance": 0.0,
     }
+
+
+def test_the_native_defaults_are_the_same() -> None:
+    """Except the timeout: native code waits for ever unless it says otherwise."""
+    header = Path(__file__).parents[2] / "planar_planner" / "native" / "limits.hpp"
+    fields = re.findall(r"^  \S+ (\w+) = (.+?);", header.read_text(encoding="utf-8"), re.MULTILINE)
+    native = dict(fields[:5])
+    shift = re.fullmatch(r"std::uint64_t\{(\d+)\} << (\d+)U", native["max_memory"])
+    assert shift is not None
+    assert {
+        "resolution": float(native["resolution"]),
+        "max_cells": int(native["max_cells"].replace("'", "")),
+        "max_memory": int(shift[1]) << int(shift[2]),
+        "contact_tolerance": float(native["contact_tolerance"]),
+    } == {name: getattr(Options(), name) for name in native if name != "timeout"}
 
 
 def test_frozen() -> None:
