@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from planar_planner.errors import OptionsError
 
 DEFAULT_RESOLUTION = 1e-9
-"""A fraction of the configuration space's extent, so without unit. It is fine, because cells grow
-with no more than its logarithm; a path round the corner is found down to 1e-10 from critical. Native
-code that asks the core without Python has the same default (native/limits.hpp)."""
+"""A fraction of the configuration space's extent, so without unit. Cells grow with no more than the
+logarithm of its inverse, so it is small: a path round the corner is found down to 1e-10 from
+critical. Native code that asks the core without Python has the same (native/limits.hpp)."""
 
 
 @dataclass(frozen=True)
