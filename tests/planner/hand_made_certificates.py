@@ -63,16 +63,21 @@ def _separation(**fields: Any) -> Json:
 
 WHOLE = [0, 0]
 PAIR = [0, 0, 0, 0]
+WALL = rectangle(4.5, 0, 5.5, 4)  # from floor to ceiling
+
+
+def _before_wall(**fields: Any) -> tuple[Json, Json]:
+    """A square that may turn before the wall."""
+    return _certificate(_scene(SQUARE, [WALL]), SQUARE, {"0": [WALL]}, **fields)
 
 
 def fixed_wall() -> tuple[Json, Json]:
     """A square that may not turn, a wall from floor to ceiling, an L that nothing refers to."""
-    wall = rectangle(4.5, 0, 5.5, 4)
-    scene = _scene(SQUARE, [wall, FAR_L], rotation=False)
+    scene = _scene(SQUARE, [WALL, FAR_L], rotation=False)
     return _certificate(
         scene,
         SQUARE,
-        {"0": [wall]},
+        {"0": [WALL]},
         **_separation(
             start_side=[[[2, 0], WHOLE, WHOLE], [[3, 2], WHOLE, WHOLE], [[4, 6], WHOLE, WHOLE]],
             full=[{"box": [[4, 7], [1, 0], WHOLE], "pair": PAIR}],
@@ -83,12 +88,7 @@ def fixed_wall() -> tuple[Json, Json]:
 
 def turning_wall() -> tuple[Json, Json]:
     """The same with turning; the start's side is cut at half a turn, so the seam matters."""
-    wall = rectangle(4.5, 0, 5.5, 4)
-    scene = _scene(SQUARE, [wall])
-    return _certificate(
-        scene,
-        SQUARE,
-        {"0": [wall]},
+    return _before_wall(
         **_separation(
             start_side=[[[1, 0], WHOLE, [1, 0]], [[1, 0], WHOLE, [1, 1]]],
             full=[{"box": [[5, 16], WHOLE, WHOLE], "pair": PAIR}],
@@ -136,12 +136,7 @@ def gap() -> tuple[Json, Json]:
 
 def disc() -> tuple[Json, Json]:
     """The turning square again, replaced by a disc inside it."""
-    wall = rectangle(4.5, 0, 5.5, 4)
-    scene = _scene(SQUARE, [wall])
-    return _certificate(
-        scene,
-        SQUARE,
-        {"0": [wall]},
+    return _before_wall(
         **_separation(
             claim="disc",
             disc=DISC,

@@ -9,7 +9,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from test_scene_problem import BAD_VALUES
+from bad_scene_values import BAD_VALUES
 
 import planar_planner
 from planar_planner.builtin import builtin_scenes
