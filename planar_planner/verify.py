@@ -12,20 +12,13 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from itertools import chain, pairwise, product
 from typing import Any, NamedTuple
 
-from planar_planner.certificate_form import (
-    LEVELS,
-    UNIT,
-    Finding,
-    Source,
-    read_certificate,
-    units,
-)
+from planar_planner.certificate_form import LEVELS, UNIT, Finding, Source, read_certificate, units
 from planar_planner.fingerprint import fingerprint
 from planar_planner.problem import Polygons, Problem, make_problem
 from planar_planner.scene import Scene, load_scene
@@ -36,6 +29,7 @@ MOST_CHOICES = 1024  # of separating edges in one joint claim
 HALVINGS = 60  # of a box's angles, in search of one vertex for each part
 ONE, HALF_TURN = 1 << UNIT, Fraction(1, 2)
 NORMALS = {"x_min": (ONE, 0), "x_max": (-ONE, 0), "y_min": (0, ONE), "y_max": (0, -ONE)}  # of walls
+OTHER = {"robot": "obstacle", "obstacle": "robot"}
 
 Vector = tuple[int, int]
 Rotation = tuple[int, int]  # cos, sin
@@ -43,6 +37,7 @@ Region = tuple[int, int, int, int]  # xmin, ymin, xmax, ymax
 Polygon = list[list[Vector]]  # rings with the interior on the left: outer one, holes
 Pose = tuple[Vector, float]  # translation, theta
 Pair = tuple[int, int, int, int]  # p, i, q, j
+Axis = tuple[str, int]  # an edge of a pair: owner and number
 Box = tuple[tuple[int, int], tuple[int, int], tuple[int, int]]  # level and index on each axis
 Domain = tuple["Case", tuple[int, int], tuple[int, int]]  # with lower left corner and size
 Waypoint = tuple[int, int, float, int]  # x, y, theta, turns
@@ -208,26 +203,32 @@ def find(place: str, things: Any, *names: Any) -> Any:
 class Case:
     """The scene in integers, and the certificate's pieces."""
 
-    robot: dict[str, Polygon]  # by number
-    obstacles: dict[str, Polygon]  # with what lies outside a polygonal workspace
+    polygons: dict[str, dict[str, Polygon]]  # by owner and number
     walls: dict[str, Edge]
     bounds: dict[str, Edge]  # of the reference point
     turning: bool
     start: Pose
     goal: Pose
-    robot_pieces: dict[str, list[Piece]] = field(default_factory=dict)
-    obstacle_pieces: dict[str, list[Piece]] = field(default_factory=dict)
+    pieces: dict[str, dict[str, list[Piece]]]
 
     def pair(self, place: str, pair: Pair) -> dict[str, Piece]:
         """Return the pieces that a pair names."""
-        p, i, q, j = pair
-        robot = find(place, self.robot_pieces, str(p), i)
-        return {"robot": robot, "obstacle": find(place, self.obstacle_pieces, str(q), j)}
+        names = zip(OTHER, (pair[:2], pair[2:]), strict=True)
+        return {owner: find(place, self.pieces[owner], str(n), i) for owner, (n, i) in names}
+
+    def edge(self, place: str, pair: Pair, choice: Axis) -> tuple[Edge, list[Vector]]:
+        """Return an edge of one piece of a pair, and the vertices of the other."""
+        pieces, (owner, number) = self.pair(place, pair), choice
+        return find(place, pieces[owner].edges, number), pieces[OTHER[owner]].vertices
+
+    def in_bounds(self, t: Vector) -> bool:
+        """Whether the reference point is within its bounds."""
+        return all(edge.value(t) >= 0 for edge in self.bounds.values())
 
     @cached_property
     def outline(self) -> list[Vector]:
         """Vertices of the robot; its holes do not count."""
-        return [v for polygon in self.robot.values() for v in polygon[0]]
+        return [v for polygon in self.polygons["robot"].values() for v in polygon[0]]
 
 
 def make_case(problem: Problem, content: Mapping[str, Any]) -> Case:
@@ -242,15 +243,12 @@ def make_case(problem: Problem, content: Mapping[str, Any]) -> Case:
             left = [sum(_cross(a, b) for a, b in _sides(ring)) > 0 for ring in rings[first:end]]
             yield [r if left[k] == (k == 0) else r[::-1] for k, r in enumerate(rings[first:end])]
 
-    def box(sides: Any) -> Any:
-        return sides and tuple(map(units, sides))
+    def edges(box: Any) -> dict[str, Edge]:
+        corners = {"min": box[:2], "max": box[2:]} if box else {}
+        return {w: Edge(corners[w[2:]], n, True) for w, n in NORMALS.items() if box}
 
-    def edges(box: Region | None) -> dict[str, Edge]:
-        if box is None:
-            return {}
-        return {w: Edge(box[2:] if "max" in w else box[:2], n, True) for w, n in NORMALS.items()}
-
-    walls, bounds = map(box, (problem.workspace_box, problem.reference_bounds))
+    boxes = problem.workspace_box, problem.reference_bounds
+    walls, bounds = (box and tuple(map(units, box)) for box in boxes)
     obstacles = list(polygons(problem.obstacles))
     for outer, *holes in polygons(problem.workspace):
         walls = _region(outer)
@@ -260,23 +258,20 @@ def make_case(problem: Problem, content: Mapping[str, Any]) -> Case:
         demand(larger, "outside", "does not hold the workspace in its interior")
         obstacles += [[frame, outer[::-1]], *([hole[::-1]] for hole in holes)]
     start, goal = (((units(x), units(y)), theta) for x, y, theta in (problem.start, problem.goal))
-    robot, around = (
-        {str(i): polygon for i, polygon in enumerate(shapes)}
-        for shapes in (polygons(problem.robot), obstacles)
-    )
-    return Case(robot, around, edges(walls), edges(bounds), problem.rotation, start, goal)
+    owned = {"robot": polygons(problem.robot), "obstacle": obstacles}
+    numbered = {o: {str(i): shape for i, shape in enumerate(of)} for o, of in owned.items()}
+    pieces: Any = {owner: {} for owner in OTHER}
+    return Case(numbered, edges(walls), edges(bounds), problem.rotation, start, goal, pieces)
 
 
 def check_pieces(case: Case, content: Mapping[str, Any]) -> None:
     """Check that the pieces of a polygon are convex and partition it."""
-    for name, polygons, table in (
-        ("robot_pieces", case.robot, case.robot_pieces),
-        ("obstacle_pieces", case.obstacles, case.obstacle_pieces),
-    ):
-        for number, pieces in content[name].items():
-            check_partition(f"{name}.{number}", find(name, polygons, number), pieces)
-            table[number] = [
-                convex_piece(f"{name}.{number}[{i}]", piece, name == "obstacle_pieces")
+    for owner, polygons in case.polygons.items():
+        for number, pieces in content[f"{owner}_pieces"].items():
+            place = f"{owner}_pieces.{number}"
+            check_partition(place, find(place, polygons, number), pieces)
+            case.pieces[owner][number] = [
+                convex_piece(f"{place}[{i}]", piece, owner == "obstacle")
                 for i, piece in enumerate(pieces)
             ]
 
@@ -293,11 +288,9 @@ def convex_piece(place: str, vertices: list[Vector], obstacle: bool) -> Piece:
 
 
 def check_partition(place: str, polygon: Polygon, pieces: list[list[Vector]]) -> None:
-    """Check that the boundaries of the pieces add up to the polygon's, on every line.
-
-    A directed segment from a to b makes the sum over its line jump by +1 at a and −1 at b, either
-    way it runs; and a sum that is zero far out is zero if its jumps cancel.
-    """
+    """Check that the boundaries of the pieces add up to the polygon's, on every line."""
+    # A directed segment from a to b makes the sum over its line jump by +1 at a and −1 at b, either
+    # way it runs; and a sum that is zero far out is zero if its jumps cancel.
     jumps: dict[Any, int] = defaultdict(int)
     for sign, rings in ((1, pieces), (-1, polygon)):
         for a, b in chain.from_iterable(map(_sides, rings)):
@@ -313,17 +306,13 @@ def check_partition(place: str, polygon: Polygon, pieces: list[list[Vector]]) ->
 
 
 def negative(D: int, E: int, C: int, ends: Sequence[Rotation]) -> bool:
-    """Prove that C + D cos θ + E sin θ < 0 from one end to the other, at most half a turn on.
-
-    It is so at the ends. Between them it is at most C plus the amplitude; and if it falls at the
-    first end or rises at the last, its maximum is at an end.
-    """
+    """Prove that C + D cos θ + E sin θ < 0 from one end to the other, at most half a turn on."""
     error = abs(D) + abs(E)
     if any(D * c + E * s + error + (C << BITS) >= 0 for c, s in ends):
         return False
-    if len(ends) == 1 or (C < 0 and D * D + E * E < C * C):
+    if len(ends) == 1 or (C < 0 and D * D + E * E < C * C):  # it is at most C plus the amplitude
         return True
-    (c0, s0), (c1, s1) = ends
+    (c0, s0), (c1, s1) = ends  # its maximum is at one, if it falls at the first, rises at the last
     return E * c0 - D * s0 + error <= 0 or E * c1 - D * s1 >= error
 
 
@@ -352,23 +341,18 @@ def check_full(case: Case, place: str, claim: Mapping[str, Any], at: Extent) -> 
         demand(beyond, place, "the robot may be inside the wall")
 
 
-def check_overlap(
-    case: Case, place: str, pair: Pair, at: Extent, but: Sequence[tuple[str, int]] = ()
-) -> None:
+def check_overlap(case: Case, place: str, pair: Pair, at: Extent, but: Sequence[Axis] = ()) -> None:
     """Check FULL by a pair: every separating-axis function is negative, `but` for some edges'."""
     pieces = case.pair(place, pair)
-    for owner, other in (("obstacle", "robot"), ("robot", "obstacle")):
+    for owner, other in OTHER.items():
         for i, edge in enumerate(pieces[owner].edges):
             negated = (owner, i) in but or negative_edge(edge, pieces[other].vertices, at)
             demand(negated, f"{place}, edge {i} of the {owner}", "may separate the pair")
 
 
 def check_joint(case: Case, place: str, joint: Mapping[str, Any], at: Extent) -> None:
-    """Check FULL jointly: whichever of the edges listed separate their pairs, a sum refutes it.
-
-    No other edge of these pairs separates; where all is free, one of each pair's does.
-    """
-    for entry in joint["axes"]:
+    """Check FULL jointly: whichever of the edges listed separate their pairs, a sum refutes it."""
+    for entry in joint["axes"]:  # where all is free, an edge of each pair separates: none but these
         check_overlap(case, place, entry["pair"], at, entry["edges"])
     edges = {entry["pair"]: entry["edges"] for entry in joint["axes"]}
     refuted = [check_sum(case, place, terms, at) for terms in joint["sums"]]
@@ -380,31 +364,28 @@ def check_joint(case: Case, place: str, joint: Mapping[str, Any], at: Extent) ->
         demand(hit, place, "does not refute every choice of separating edges")
 
 
-def check_sum(case: Case, place: str, terms: list[Any], at: Extent) -> dict[Pair, tuple[str, int]]:
+def check_sum(case: Case, place: str, terms: list[Any], at: Extent) -> dict[Pair, Axis]:
     """Check that a weighted sum of terms is negative, and return which edge it has of each pair."""
-    used: dict[Pair, tuple[str, int]] = {}
-    parts: list[tuple[Edge, Vector]] = []
+    used: dict[Pair, Axis] = {}
+    parts: list[tuple[int, Edge, Vector]] = []
+    scale = math.lcm(*(Fraction(term["weight"]).denominator for term in terms))
     for term in terms:
         if "wall" in term:
-            own = any(term["vertex"] in ring for polygon in case.robot.values() for ring in polygon)
+            edge, vertex = find(place, case.walls, term["wall"]), term["vertex"]
+            own = any(vertex in ring for ring in chain(*case.polygons["robot"].values()))
             demand(own, place, "has a vertex that is not the robot's")
-            parts.append((find(place, case.walls, term["wall"]), term["vertex"]))
         else:
-            pieces, owner = case.pair(place, term["pair"]), term["owner"]
-            only = used.setdefault(term["pair"], (owner, term["edge"]))
-            demand(only == (owner, term["edge"]), place, "has two edges of a pair in one sum")
-            other = pieces["robot" if owner == "obstacle" else "obstacle"]
-            edge = find(place, pieces[owner].edges, term["edge"])
-            parts.append((edge, find(place, other.vertices, term["vertex"])))
-    weights = [Fraction(term["weight"]) for term in terms]
-    demand(min(weights, default=0) >= 0, place, "has a negative weight")
-    scale = math.lcm(*(weight.denominator for weight in weights))
+            choice = term["owner"], term["edge"]
+            only = used.setdefault(term["pair"], choice) == choice
+            demand(only, place, "has two edges of a pair in one sum")
+            edge, vertices = case.edge(place, term["pair"], choice)
+            vertex = find(place, vertices, term["vertex"])
+        demand(term["weight"] >= 0, place, "has a negative weight")
+        parts.append((int(Fraction(term["weight"]) * scale), edge, vertex))
     for t, part in product(at.corners, at.halves() if at.last - at.first > HALF_TURN else [at]):
-        sums = [0, 0, 0]
-        for weight, (edge, v) in zip(weights, parts, strict=True):
-            sums = [a + int(weight * scale) * b for a, b in zip(sums, edge.term(v, t), strict=True)]
-        below = negative(sums[0], sums[1], sums[2], part.ends())
-        demand(below, place, "the weighted sum may be 0 or more")
+        weighted = [[weight * x for x in edge.term(v, t)] for weight, edge, v in parts]
+        D, E, C = (sum(term[k] for term in weighted) for k in range(3))
+        demand(negative(D, E, C, part.ends()), place, "the weighted sum may be 0 or more")
     return used
 
 
@@ -429,19 +410,16 @@ def check_separation(case: Case, content: Mapping[str, Any]) -> int:
 
 
 def check_domain(domain: Domain) -> None:
-    """Check that at each side of the domain, and so beyond it, no configuration is free.
-
-    There the reference point is at or beyond its bounds, or some vertex is beyond the wall.
-    """
+    """Check that at each side of the domain, and so beyond it, no configuration is free."""
     case = domain[0]
     for i, side in enumerate(NORMALS):
-        face: Any = [(0, i % 2)] * 3
-        face[1 - i // 2] = face[2] = (0, 0)
-        at = extent("domain", domain, face, i // 2)
+        box: Any = [(0, 0)] * 3
+        box[i // 2] = (0, i % 2)
+        at = extent("domain", domain, box, i // 2)
         bound, wall = case.bounds.get(side), case.walls.get(side)
-        out = bound is not None and max(bound.value(t) for t in at.corners) <= 0
-        out = out or (wall is not None and negative_edge(wall, case.outline, at))
-        demand(out, "domain", "free configurations may lie beyond it")
+        out = bound and all(bound.value(t) <= 0 for t in at.corners)  # at or beyond its bounds
+        out = out or (wall and negative_edge(wall, case.outline, at))  # the robot is partly beyond
+        demand(bool(out), "domain", "free configurations may lie beyond it")
 
 
 def extent(place: str, domain: Domain, box: Box, axis: int = -1) -> Extent:
@@ -461,32 +439,24 @@ def extent(place: str, domain: Domain, box: Box, axis: int = -1) -> Extent:
 
 
 def check_ends(domain: Domain, inside: list[Box]) -> None:
-    """Check that the start lies in a box of its side, the goal in none.
-
-    Each coordinate, as a part of the domain, lies in one of some intervals: an angle in one of
-    three, a turn apart. No angle but 0 is on a box's boundary, so they need not be exact.
-    """
+    """Check that the start lies in a box of its side, the goal in none."""
     case, low, size = domain
 
-    def intervals(pose: Pose) -> list[list[tuple[Fraction, Fraction]]]:
-        parts = [Fraction(pose[0][a] - low[a], size[a]) for a in (0, 1)]
+    # Three, a turn apart, in parts of the domain. No angle but 0 is on a box's boundary, so angles
+    # need not be exact.
+    def places(pose: Pose) -> list[list[tuple[Fraction, Fraction]]]:
+        exact = [(Fraction(pose[0][a] - low[a], size[a]),) * 2 for a in (0, 1)]
         theta = pose[1] if case.turning else 0
         turns = Fraction(fixed(Fraction(theta), Fraction()), 2 * PI) % 1
         error = Fraction(1 if theta else 0, 1 << 180)
-        angles = [(turns + n - error, turns + n + error) for n in (-1, 0, 1)]
-        return [*([(part, part)] for part in parts), angles]
+        return [[*exact, (turns + n - error, turns + n + error)] for n in (-1, 0, 1)]
 
-    start, goal, held = intervals(case.start), intervals(case.goal), False
+    start, goal, held = places(case.start), places(case.goal), False
     for i, box in enumerate(inside):
         spans = [(Fraction(k, 1 << level), Fraction(k + 1, 1 << level)) for level, k in box]
-        held = held or all(
-            any(a <= first and last <= b for first, last in at)
-            for (a, b), at in zip(spans, start, strict=True)
-        )
-        apart = any(
-            all(last < a or b < first for first, last in at)
-            for (a, b), at in zip(spans, goal, strict=True)
-        )
+        starts, goals = ([list(zip(spans, p, strict=True)) for p in ps] for ps in (start, goal))
+        held = held or any(all(a <= u and v <= b for (a, b), (u, v) in each) for each in starts)
+        apart = all(any(v < a or b < u for (a, b), (u, v) in each) for each in goals)
         demand(apart, f"start_side[{i}]", "may hold the goal")
     demand(held, "start_side", "does not hold the start")
 
@@ -502,22 +472,21 @@ def check_cover(inside: list[Box], full: list[Any], faces: list[Any]) -> None:
                 yield axis, end, plane % (1 << LEVELS) if axis == 2 else plane, (u0, v0, u1, v1)
 
     needs, covers = defaultdict(set), defaultdict(set)  # by axis, plane, end of the boxes in need
-    for box in inside:
-        for axis, end, plane, face in faces_of(box):
-            needs[axis, plane, end].add(face)
-    for box in chain(inside, (claim["box"] for claim in full)):
-        for axis, end, plane, face in faces_of(box):
-            covers[axis, plane, 1 - end].add(face)
+    for axis, end, plane, face in chain.from_iterable(map(faces_of, inside)):
+        needs[axis, plane, end].add(face)
+        covers[axis, plane, 1 - end].add(face)
+    for axis, end, plane, face in chain.from_iterable(faces_of(claim["box"]) for claim in full):
+        covers[axis, plane, 1 - end].add(face)
     for claim in faces:
         axis, _, plane, face = list(faces_of(claim["box"]))[2 * claim["axis"]]
-        covers[axis, plane, 0].add(face)
-        covers[axis, plane, 1].add(face)
+        for end in (0, 1):
+            covers[axis, plane, end].add(face)
     for (axis, plane, end), open_faces in needs.items():
         known = covers[axis, plane, end]
         rest = open_faces - known if axis == 2 or 0 < plane < 1 << LEVELS else set()
-        cell = _region(chain.from_iterable((r[:2], r[2:]) for r in rest)) if rest else (0, 0, 0, 0)
+        closed = covered(rest, known, (0, 0, 1 << LEVELS, 1 << LEVELS))
         place = f"start_side, {('x', 'y', 'theta')[axis]} = {plane / 2**LEVELS!r}"
-        demand(covered(rest, known, cell), place, "has a face that is neither shared nor FULL")
+        demand(closed, place, "has a face that is neither shared nor FULL")
 
 
 def covered(needs: Iterable[Region], covers: Iterable[Region], cell: Region) -> bool:
@@ -542,12 +511,13 @@ def check_disc(case: Case, content: Mapping[str, Any]) -> int:
     """Check that a disc inside the robot, in place of it, has no path."""
     disc, (p, i) = content["disc"], content["inside"]
     farthest = max((_dot(v, v) for v in disc), default=0)
-    for base, n, _ in find("inside", case.robot_pieces, str(p), i).edges:
+    for base, n, _ in find("inside", case.pieces["robot"], str(p), i).edges:
         near = _dot(n, base) < 0 or _dot(n, base) ** 2 < farthest * _dot(n, n)
         demand(not near, "disc", "is not inside that piece")
-    pieces = {"0": [convex_piece("disc", disc, obstacle=False)]}
-    smaller = replace(case, robot={"0": [disc]}, robot_pieces=pieces, turning=False)
-    smaller.start, smaller.goal = (case.start[0], 0.0), (case.goal[0], 0.0)
+    polygons = case.polygons | {"robot": {"0": [disc]}}
+    pieces = case.pieces | {"robot": {"0": [convex_piece("disc", disc, obstacle=False)]}}
+    start, goal = (case.start[0], 0.0), (case.goal[0], 0.0)
+    smaller = Case(polygons, case.walls, case.bounds, False, start, goal, pieces)
     return check_separation(smaller, content)
 
 
@@ -555,16 +525,11 @@ def check_end(case: Case, content: Mapping[str, Any]) -> int:
     """Check that the start or the goal is not free."""
     t, theta = case.start if content["end"] == "start" else case.goal
     if "reference_bounds" in content:
-        demand(not in_bounds(case, t), "reference_bounds", "the reference point is not outside")
+        demand(not case.in_bounds(t), "reference_bounds", "the reference point is not outside")
     else:
         at = Extent([t], Fraction(), Fraction(), Fraction(theta))
         check_full(case, content["end"], content, at)
     return 1
-
-
-def in_bounds(case: Case, t: Vector) -> bool:
-    """Whether the reference point is within its bounds."""
-    return all(edge.value(t) >= 0 for edge in case.bounds.values())
 
 
 # --- Verdict path ---
@@ -591,7 +556,7 @@ def check_path(case: Case, content: Mapping[str, Any]) -> int:
         demand(_dot(way, way) <= (tolerance * ONE) ** 2, f"waypoints[{k}]", "is elsewhere")
         demand(waypoints[k][2] == theta, f"waypoints[{k}]", "has another theta")
     for i, (x, y, theta, turns) in enumerate(waypoints):
-        demand(in_bounds(case, (x, y)), f"waypoints[{i}]", "is outside reference_bounds")
+        demand(case.in_bounds((x, y)), f"waypoints[{i}]", "is outside reference_bounds")
         still = case.turning or (theta, turns) == (case.start[1], 0)
         demand(still, f"waypoints[{i}]", "turns a robot that may not turn")
     for i, intervals in enumerate(segments):
@@ -605,33 +570,34 @@ def check_path(case: Case, content: Mapping[str, Any]) -> int:
 def check_segment(case: Case, place: str, ends: list[Waypoint], intervals: list[Any]) -> None:
     """Check that on every interval the robot is inside the walls and apart from every obstacle."""
     everywhere = swept(case.outline, make_motion(ends, 0, ONE))
-    near = {q: _region(polygon[0]) for q, polygon in case.obstacles.items()}
+    near = {q: _region(polygon[0]) for q, polygon in case.polygons["obstacle"].items()}
     near = {q: region for q, region in near.items() if not _apart(everywhere, region)}
     for i, interval in enumerate(intervals):
         motion = make_motion(ends, interval["from"], interval["to"])
         for wall, edge in case.walls.items():
             inside = all(not_negative(edge, v, motion) for v in case.outline)
             demand(inside, f"{place}[{i}], {wall}", "the robot may be beyond the wall")
-        for k, (*pair, owner, number) in enumerate(interval["apart"]):
-            pieces, at = case.pair(place, tuple(pair)), f"{place}[{i}].apart[{k}]"
-            edge = find(at, pieces[owner].edges, number)
-            vertices = pieces["robot" if owner == "obstacle" else "obstacle"].vertices
+        for k, apart in enumerate(interval["apart"]):
+            at = f"{place}[{i}].apart[{k}]"
+            edge, vertices = case.edge(at, apart[:4], apart[4:])
             separates = all(not_negative(edge, v, motion) for v in vertices)
             demand(separates, at, "the edge may not separate the pair")
-        check_all_apart(case, f"{place}[{i}]", motion, near, {c[:4] for c in interval["apart"]})
+        check_all_apart(
+            case, f"{place}[{i}]", motion, near, {apart[:4] for apart in interval["apart"]}
+        )
 
 
 def check_all_apart(
     case: Case, place: str, motion: Motion, near: dict[str, Region], listed: set[Pair]
 ) -> None:
     """Check that polygons are apart by bounding boxes, or their pieces by those or as listed."""
-    for p, polygon in case.robot.items():
+    for p, polygon in case.polygons["robot"].items():
         body = swept(polygon[0], motion)
         close = [q for q, region in near.items() if not _apart(body, region)]
-        robot = case.robot_pieces.get(p, []) if close else []
+        robot = case.pieces["robot"].get(p, []) if close else []
         boxes = [swept(piece.vertices, motion) for piece in robot]
         for q in close:
-            obstacle = case.obstacle_pieces.get(q, [])
+            obstacle = case.pieces["obstacle"].get(q, [])
             demand(bool(robot and obstacle), f"{place}, polygons {p} and {q}", "have no pieces")
             for (i, box), (j, piece) in product(enumerate(boxes), enumerate(obstacle)):
                 apart = _apart(box, piece.region) or (int(p), i, int(q), j) in listed

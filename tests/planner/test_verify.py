@@ -92,11 +92,9 @@ def case_of(robot: Points, obstacle: Points) -> verify.Case:
     """Return a case of one piece each."""
     nowhere = ((0, 0), 0.0)
     mine, other = piece_of(robot, False), piece_of(obstacle, True)
-    case = verify.Case(
-        {"0": [mine.vertices]}, {"0": [other.vertices]}, {}, {}, True, nowhere, nowhere
-    )
-    case.robot_pieces["0"], case.obstacle_pieces["0"] = [mine], [other]
-    return case
+    pieces = {"robot": {"0": [mine]}, "obstacle": {"0": [other]}}
+    polygons = {owner: {"0": [own["0"][0].vertices]} for owner, own in pieces.items()}
+    return verify.Case(polygons, {}, {}, True, nowhere, nowhere, pieces)
 
 
 def placed(points: Points, x: float, y: float, theta: float) -> shapely.Polygon:
