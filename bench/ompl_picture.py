@@ -5,20 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from ompl_table import SOUND, Entry
 
 from planar_planner.comparison import spread
 from planar_planner.comparison_plot import COLOURS, DPI, OURS
 
-if TYPE_CHECKING:
-    from ompl_compare import Entry
-
 MS = 1e3
 ROW_HEIGHT = 0.28  # inches
-SOUND = 0.95
 MARKERS = {"wheel": "o", "native": "D"}
 
 
@@ -48,12 +44,14 @@ def draw(found: Sequence[Entry], limit: float, file: Path) -> None:
         )
     axes.axvline(MS * limit, color="#888888", linewidth=0.8, linestyle="--")
     axes.set_xscale("log")
-    axes.set_xlabel("median time to the first solution (ms); crosses: not within the limit")
+    axes.set_xlabel(
+        "median time to the first solution, with preparation (ms); crosses: not within the limit"
+    )
     axes.set_yticks(range(len(scenes)), scenes, fontsize="small")
     axes.invert_yaxis()
     axes.grid(color="#E5E5E5")
     axes.set_axisbelow(True)
-    axes.plot([], [], "*", color=OURS, markersize=9, label="ours, with certificate")
+    axes.plot([], [], "*", color=OURS, markersize=9, label="ours, certified")
     for k, planner in enumerate(planners):
         axes.plot([], [], "s", color=COLOURS[k % len(COLOURS)], label=planner)
     axes.plot([], [], "o", color="#444444", label="wheel, check through Python")

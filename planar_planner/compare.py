@@ -1,7 +1,8 @@
 """Ours and OMPL's planners on the same scene in one run: times, counts, soundness of paths.
 
-Every path that a sampler calls exact is checked again along its whole length by the core's
-continuous check, which no resolution of a motion validator can fool.
+Both clocks start with the scene's polygons in memory: ours ends when the answer is certified, a
+sampler's with the end of its solve. Every path that a sampler calls exact is checked again along
+its whole length by the core's continuous check, which no resolution of a motion validator can fool.
 """
 
 from __future__ import annotations
@@ -82,12 +83,12 @@ class OurRun:
     Attributes
     ----------
     seconds : float
-        Until the certificate is in hand, by the wall clock: building the core, search, evidence and
-        the making of the certificate.
+        From the scene's polygons in memory until the answer is certified, by the wall clock:
+        building the core, and search. From then on the certificate can be exported.
     core_seconds : float
-        Of which the core took for building and search.
+        Of which the core took by its own clock.
     certificate_seconds : float
-        Of which evidence and certificate took.
+        Exporting the certificate then, evidence and JSON object; not part of `seconds`.
     length, turning : float
         Of the path; 0 without one.
     """
@@ -111,9 +112,11 @@ class SamplerRun:
     ----------
     exact : bool
         OMPL calls the solution exact.
+    prepare_seconds : float
+        From the scene's polygons in memory until the planner is set up: building the state check,
+        OMPL's space and its setup, the query, the planner; not a number if the process failed.
     seconds : float
-        The planner's setup and solve, without making space, scene and check; infinite without an
-        exact solution.
+        The planner's setup and solve alone; infinite without an exact solution.
     checks : int
         State validity checks.
     soundness : str
@@ -127,6 +130,7 @@ class SamplerRun:
     planner: str
     seed: int
     exact: bool
+    prepare_seconds: float
     seconds: float
     checks: int
     length: float
@@ -135,6 +139,11 @@ class SamplerRun:
     check_ns: float
     native_check_ns: float
     error: str = ""
+
+    @property
+    def total_seconds(self) -> float:
+        """Over the span that `OurRun.seconds` has; infinite without an exact solution."""
+        return self.prepare_seconds + self.seconds if self.exact else math.inf
 
 
 @dataclass(frozen=True)
@@ -203,7 +212,7 @@ def compare(scene: SceneLike, settings: Settings) -> SceneComparison:
 
 
 def run_ours(problem: Problem, judge: Judge, limit: float) -> OurRun:
-    """Answer the query once on a fresh core, with certificate."""
+    """Answer the query once on a fresh core, then export the certificate."""
     options = Options(timeout=limit)
     began = time.perf_counter()
     core = make_core(problem)
@@ -215,7 +224,7 @@ def run_ours(problem: Problem, judge: Judge, limit: float) -> OurRun:
     return OurRun(
         verdict=result.verdict,
         reason=result.reason,
-        seconds=ended - began,
+        seconds=answered - began,
         core_seconds=float(result.stats["seconds"]["total"]),
         certificate_seconds=ended - answered,
         cells=int(result.stats["cells"]),
@@ -249,6 +258,7 @@ def sampler_run(planner: str, seed: int, answer: dict[str, Any], judge: Judge) -
         planner=planner,
         seed=seed,
         exact=exact,
+        prepare_seconds=float(answer.get("prepare_seconds", math.nan)),
         seconds=float(answer["seconds"]) if exact else math.inf,
         checks=int(answer.get("checks", 0)),
         length=path_length(path),

@@ -62,18 +62,18 @@ def draw_comparison(
         ours,
         settings,
         _offset(0, count),
-        label="ours, with certificate",
+        label="ours, certified",
         color=OURS,
         marker="*",
     )
     for k, name in enumerate(settings.planners):
-        seconds = [[run.seconds for run in each.samplers[name]] for each in comparisons]
+        seconds = [[run.total_seconds for run in each.samplers[name]] for each in comparisons]
         colour, marker = COLOURS[k % len(COLOURS)], MARKERS[k // len(COLOURS) % len(MARKERS)]
         offset = _offset(k + 1, count)
         _series(axes, seconds, settings, offset, label=name, color=colour, marker=marker)
     axes.axhline(1e3 * settings.limit, color="#888888", linewidth=0.8, linestyle="--")
     axes.set_yscale("log")
-    axes.set_ylabel("time to first solution (ms)\nmedian and quartiles")
+    axes.set_ylabel("time to first solution, with preparation (ms)\nmedian and quartiles")
     axes.set_xticks(range(len(comparisons)), [each.scene for each in comparisons], rotation=30)
     axes.set_title(
         f"{settings.runs} runs each, OMPL's motion resolution {settings.resolution:g}\n"

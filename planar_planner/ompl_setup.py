@@ -85,7 +85,14 @@ def set_up(scene: SceneLike, *, resolution: float = RESOLUTION) -> Setup:
     SceneError
         If the scene is not valid.
     """
-    problem = make_problem(scene if isinstance(scene, Scene) else load_scene(scene))
+    return set_up_problem(
+        make_problem(scene if isinstance(scene, Scene) else load_scene(scene)),
+        resolution=resolution,
+    )
+
+
+def set_up_problem(problem: Problem, *, resolution: float = RESOLUTION) -> Setup:
+    """Make an OMPL problem, as `set_up`, of what a scene states."""
     judge = Judge(problem)
     check = judge.check
     space = base.SE2StateSpace() if problem.rotation else base.RealVectorStateSpace(2)

@@ -6,12 +6,13 @@ import json
 import math
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from planar_planner import load_scene
+from planar_planner import compare, load_scene
 from planar_planner.cli import main
 from planar_planner.compare import (
     OurRun,
@@ -55,6 +56,7 @@ def a_sampler_run(**changes: Any) -> SamplerRun:
         "planner": "RRTConnect",
         "seed": 1,
         "exact": True,
+        "prepare_seconds": 0.25,
         "seconds": 0.5,
         "checks": 1000,
         "length": 4.0,
@@ -147,7 +149,9 @@ def test_table_shows_success_soundness_and_call_overhead() -> None:
         Settings(runs=3),
     )
     row = next(line for line in text.splitlines() if "RRTConnect" in line)
-    assert row.split()[:3] == ["RRTConnect", "3/3", "500"]
+    assert row.split()[:3] == ["RRTConnect", "3/3", "750"]
+    assert "preparation (state check, space, query) 250 ms" in text
+    assert "not in it, exporting the certificate 0.5 ms" in text
     assert row.split()[-3:] == ["2/3", "33", "%"]
     assert "one validity check: 100 ns" in text
     assert "overhead 300 ns" in text
@@ -182,6 +186,7 @@ def test_json_holds_every_run_in_finite_values() -> None:
     assert again["format"] == "planar-planner/comparison"
     (run,) = again["scenes"][0]["samplers"]["RRTConnect"]
     assert run["seconds"] is None
+    assert run["prepare_seconds"] == 0.25
     assert run["checks"] == 7
     assert again["settings"]["planners"] == list(Settings().planners)
 
@@ -224,21 +229,43 @@ def test_a_narrow_collision_between_checked_states_is_found(scene_dict: dict[str
 
 def test_answers_of_a_process_are_judged(scene_dict: dict[str, Any]) -> None:
     judge = judge_of(scene_dict)
-    answer = {"exact": True, "seconds": 0.1, "checks": 5, "path": [[1, 1, 0], [9, 9, 0]]}
+    path = [[1, 1, 0], [9, 9, 0]]
+    answer = {"exact": True, "prepare_seconds": 0.5, "seconds": 0.25, "checks": 5, "path": path}
     run = sampler_run("PRM", 3, answer, judge)
-    assert (run.soundness, run.seconds, run.checks) == ("collides", 0.1, 5)
+    assert (run.soundness, run.seconds, run.checks) == ("collides", 0.25, 5)
+    assert run.total_seconds == 0.75
     assert run.length == pytest.approx(8 * math.sqrt(2))
     run = sampler_run("PRM", 3, {"exact": False, "seconds": 10.0}, judge)
-    assert (run.soundness, run.seconds) == ("", math.inf)
+    assert (run.soundness, run.seconds, run.total_seconds) == ("", math.inf, math.inf)
     assert sampler_run("PRM", 3, {"error": "crashed"}, judge).error == "crashed"
 
 
-def test_ours_is_timed_with_its_certificate(scene_dict: dict[str, Any]) -> None:
+def test_ours_is_timed_from_the_core_to_the_answer_and_the_certificate_apart(
+    scene_dict: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each stage takes a known time on a clock of the test's own, which nothing else moves."""
     judge = judge_of(scene_dict)
+    now = 0.0
+
+    def lasting(seconds: float, name: str) -> None:
+        stage = getattr(compare, name)
+
+        def slow(*arguments: Any) -> Any:
+            nonlocal now
+            now += seconds
+            return stage(*arguments)
+
+        monkeypatch.setattr(compare, name, slow)
+
+    lasting(1.0, "make_core")
+    lasting(2.0, "ask")
+    lasting(4.0, "make_certificate")
+    lasting(8.0, "make_result")
+    monkeypatch.setattr(compare, "time", SimpleNamespace(perf_counter=lambda: now))
     run = run_ours(judge.problem, judge, 10.0)
     assert (run.verdict, run.soundness) == ("path", "sound")
-    assert run.seconds >= run.core_seconds
-    assert run.seconds >= run.certificate_seconds > 0
+    assert (run.seconds, run.certificate_seconds) == (3.0, 4.0)
+    assert run.core_seconds > 0
 
 
 # State check

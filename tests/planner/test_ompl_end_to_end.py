@@ -221,6 +221,8 @@ def test_the_same_seed_repeats_a_run() -> None:
         assert run.error == ""
         assert run.soundness in ("sound", "collides")
         assert run.length > 0
+        assert run.seconds > 0
+        assert run.prepare_seconds > 0
         assert run.check_ns > run.native_check_ns > 0
 
 
