@@ -26,9 +26,13 @@ bool plainly_outside(const Ball& c, const Ball& s, const Box& box) {
   return cosine > 0.0 && x * box.half.sine.value() - y * cosine < -room;
 }
 
-// Is a direction of this length, whose component along (1, 0) is c, possibly within h of it?
-bool possibly_within(const Ball& c, const Ball& size, const Box& box) {
-  return (c - size * box.half.cosine).possibly_not_negative();
+// Is the direction (c, s), of length `size`, possibly within h of (1, 0)? By the sine where h is
+// below a quarter turn: a cosine does not tell 1e-17 from zero.
+bool possibly_within(const Ball& c, const Ball& s, const Ball& size, const Box& box) {
+  if (!box.half.cosine.certainly_positive())
+    return (c - size * box.half.cosine).possibly_not_negative();
+  return c.possibly_not_negative() &&
+         (c * box.half.sine - absolute(s) * box.half.cosine).possibly_not_negative();
 }
 
 Ball least_at(const std::vector<Sinusoid>& all, const Ball& c, const Ball& s) {
@@ -50,7 +54,7 @@ Ball envelope_largest(const std::vector<Sinusoid>& all, const std::vector<Sinuso
       const Ball size = square_root(f.v * f.v + f.w * f.w);
       if (!size.certainly_positive())
         out = greatest(out, size);
-      else if (possibly_within(f.v, size, box))
+      else if (possibly_within(f.v, f.w, size, box))
         out = greatest(out, least_at(all, f.v / size, f.w / size));
     }
     for (const double sign : {1.0, -1.0}) {
@@ -58,7 +62,7 @@ Ball envelope_largest(const std::vector<Sinusoid>& all, const std::vector<Sinuso
       const Ball s = Ball(-sign) * steps[i].v;
       if (plainly_outside(c, s, box)) continue;
       const Ball span = square_root(c * c + s * s);
-      if (possibly_within(c, span, box)) out = greatest(out, least_at(all, c / span, s / span));
+      if (possibly_within(c, s, span, box)) out = greatest(out, least_at(all, c / span, s / span));
     }
   }
   return out;
@@ -137,7 +141,7 @@ Ball sinusoid_least(const Sinusoid& f, const Box& box) {
 Ball sinusoid_largest(const Sinusoid& f, const Box& box) {
   if (!plainly_outside(f.v, f.w, box)) {
     const Ball size = square_root(f.v * f.v + f.w * f.w);
-    if (possibly_within(f.v, size, box)) return size;
+    if (possibly_within(f.v, f.w, size, box)) return size;
   }
   return f.v * box.half.cosine + absolute(f.w) * box.half.sine;
 }
