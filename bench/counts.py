@@ -32,6 +32,7 @@ from scenarios.model import Scene
 RECORD = Path(__file__).with_name("counts.json")
 FORMAT = "planar-planner/counts"
 COUNTS = {  # statistic and its heading
+    "probe_checks": "first try",
     "cells": "cells",
     "labelled_cells": "labelled",
     "separation_evaluations": "separations",

@@ -81,7 +81,7 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325U;
 };
 
-std::uint64_t hash_of(const planner::Answer& answer) {
+std::uint64_t hash_of(planner::Planner& planner, const planner::Answer& answer) {
   Hash hash;
   const planner::Statistics& s = answer.statistics;
   hash.add(static_cast<std::uint64_t>(answer.verdict));
@@ -89,12 +89,12 @@ std::uint64_t hash_of(const planner::Answer& answer) {
   hash.add(s.decided_by);
   for (const std::uint64_t n :
        {s.labelled_cells, s.separation_evaluations, s.pairs_touched, s.pairs_total, s.star_tests,
-        s.joint_cells, s.faces_tested, s.segments_tested, s.search_rounds, s.search_expansions,
-        s.search_rebuilds, s.channel_length})
+        s.joint_cells, s.faces_tested, s.segments_tested, s.probe_checks, s.search_rounds,
+        s.search_expansions, s.search_rebuilds, s.channel_length})
     hash.add(n);
   for (const std::uint64_t n : answer.cells_by_label) hash.add(n);
   for (const std::uint64_t n : answer.cells_by_level) hash.add(n);
-  for (const double x : {answer.path.length, answer.path.turning, answer.path.least_clearance})
+  for (const double x : {answer.path.length, answer.path.turning, planner.least_clearance()})
     hash.add(x);
   for (const Configuration& q : answer.path.waypoints)
     for (const double x : {q.x, q.y, q.theta}) hash.add(x);
@@ -126,6 +126,6 @@ int main() {
     const planner::Answer answer = planner.solve(start, goal, limits, {});
     constexpr const char* verdicts[] = {"path", "no_path", "undecided"};
     std::printf("%s %s %016llx\n", name, verdicts[static_cast<std::size_t>(answer.verdict)],
-                static_cast<unsigned long long>(hash_of(answer)));
+                static_cast<unsigned long long>(hash_of(planner, answer)));
   }
 }

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from planar_planner.certificate import make_certificate
 from planar_planner.core import ask, make_core
@@ -263,11 +264,16 @@ def sampler_run(planner: str, seed: int, answer: dict[str, Any], judge: Judge) -
         checks=int(answer.get("checks", 0)),
         length=path_length(path),
         turning=path_turning(path),
-        soundness=judge.path(np.array(path, dtype=np.float64)) if exact else "",
+        soundness=_judged(np.array(path, dtype=np.float64), judge) if exact else "",
         check_ns=float(answer.get("check_ns", math.nan)),
         native_check_ns=float(answer.get("native_check_ns", math.nan)),
         error=str(answer.get("error", "")),
     )
+
+
+def _judged(path: NDArray[np.float64], judge: Judge) -> str:
+    """Return whether a sampler's path is sound; one between other ends is not known to be."""
+    return judge.path(path) if judge.joins(path) else "unknown"
 
 
 def _in_a_process(request: dict[str, Any]) -> dict[str, Any]:

@@ -19,13 +19,18 @@ SAMPLES = 2000
 They only tell ``collides`` from ``unknown``; no claim that a path is free rests on them."""
 
 
+END_SLACK = 1e-9
+"""How far a sampler's path may begin from the start, relative to the largest coordinate of both: a
+start on the bounds is rounded into them."""
+
+
 class Judge:
     """Says what is free on a scene. Not thread-safe.
 
     Parameters
     ----------
     problem : Problem
-        The scene; its start and goal play no part.
+        The scene; its start and goal play a part in `joins` only.
 
     Attributes
     ----------
@@ -67,6 +72,18 @@ class Judge:
                 if self.core.placement((x, y, theta))["state"] in ("colliding", "outside"):
                     return "collides"
         return "unknown"
+
+    def joins(self, waypoints: NDArray[np.float64]) -> bool:
+        """Whether a path runs from the problem's start to its goal, whole turns apart."""
+        ends = (self.problem.start, self.problem.goal)
+        return all(_same(tuple(q), end) for q, end in zip(waypoints[[0, -1]], ends, strict=True))
+
+
+def _same(q: tuple[float, ...], end: tuple[float, float, float]) -> bool:
+    largest = max(abs(value) for value in (*q, *end))
+    slack = END_SLACK * max(largest, math.tau)
+    turned = math.remainder(q[2] - end[2], math.tau)
+    return math.dist(q[:2], end[:2]) <= slack and abs(turned) <= slack
 
 
 def unwrapped(waypoints: NDArray[np.float64]) -> NDArray[np.float64]:

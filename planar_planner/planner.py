@@ -127,6 +127,7 @@ class Planner:
             self._core = core
             raise
         answer = ask(core, query, limits, listener)
+        answer["stats"]["least_clearance"] = core.least_clearance()
         evidence = core.evidence() if certificate else None
         self._core = core
         if evidence is None:

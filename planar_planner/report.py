@@ -79,7 +79,8 @@ def _levels_line(stats: Mapping[str, Any]) -> str:
 
 def _work_line(stats: Mapping[str, Any]) -> str:
     return (
-        f"work: {stats.get('labelled_cells', 0):,} cells labelled, "
+        f"work: {stats.get('probe_checks', 0):,} configurations tried first, "
+        f"{stats.get('labelled_cells', 0):,} cells labelled, "
         f"{stats.get('separation_evaluations', 0):,} separations, "
         f"{stats.get('pairs_touched', 0):,} of {stats.get('pairs_total', 0):,} pairs touched, "
         f"{stats.get('faces_tested', 0):,} faces, {stats.get('search_rounds', 0):,} search rounds, "

@@ -40,6 +40,7 @@ STATS = {
     "pairs_touched": 5,
     "pairs_total": 9,
     "faces_tested": 7,
+    "probe_checks": 0,
     "search_rounds": 2,
     "memory_bytes": 2048,
     "seconds": {
@@ -48,10 +49,10 @@ STATS = {
         "faces": 0.0005,
         "search": 0.0001,
         "path": 0.0,
+        "probe": 0.0,
         "total": 0.0036,
     },
     "path_length": 2.5,
-    "least_clearance": float("inf"),
     "waypoints": 2,
     "decided_by": "straight move",
 }
@@ -85,6 +86,9 @@ class FakeCore:
             "path": path,
             "stats": copy.deepcopy(STATS),
         }
+
+    def least_clearance(self) -> float:
+        return float("inf")
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ablation_parts.culling import QUERIES, Culling
-from ablation_parts.variants import ABLATIONS, PLANNER, Outcome
+from ablation_parts.variants import ABLATIONS, CELLS, Outcome
 
 COLOURS = ("#999999", "#E69F00", "#56B4E9", "#0072B2", "#009E73", "#CC79A7")  # Okabe and Ito
 FEWEST_CELLS = 30  # in C-obstacle: a ratio of fewer says nothing
@@ -47,11 +47,11 @@ def _draw_culling(axes: Axes, cullings: Sequence[Culling]) -> None:
 
 
 def _draw_ablations(axes: Axes, outcomes: dict[str, list[Outcome]]) -> None:
-    """Draw a point for each scene and variant: labelled cells over those of the whole planner."""
-    names = [variant.name for variant in ABLATIONS if variant != PLANNER]
+    """Draw a point for each scene and variant: labelled cells over those of all parts."""
+    names = [variant.name for variant in ABLATIONS if variant != CELLS]
     for scene in outcomes.values():
         by_name = {o.variant.name: o for o in scene}
-        whole = by_name[PLANNER.name]
+        whole = by_name[CELLS.name]
         for decided, marker, colour in ((True, "o", "#0072B2"), (False, ">", "#D55E00")):
             chosen = [
                 (by_name[name].work / max(whole.work, 1), place)

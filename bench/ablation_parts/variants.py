@@ -25,31 +25,35 @@ class Variant:
     query: str = "per-normal"
 
 
-# The published method: level by level, star-shaped cells, no more than the query. The moves that
-# are tried before any subdivision are off throughout, so that all have the same to do.
-PUBLISHED = ("guided", "joint", "cheap")
+# The published method: level by level, star-shaped cells, no more than the query. What is
+# tried before any subdivision is off throughout, so that all have the same to do.
+AT_FIRST = ("cheap", "probe")
+PUBLISHED = ("guided", "joint", *AT_FIRST)
 TABLE_2 = (
     Variant("original: no query", PUBLISHED, "none"),
     Variant("accelerated: Eq. 3", PUBLISHED, "published"),
     Variant("DISP, radius per piece", PUBLISHED, "displacement"),
     Variant("per normal", PUBLISHED),
-    Variant("per normal and joint", ("guided", "cheap")),
-    Variant("this planner", ("cheap",)),
+    Variant("per normal and joint", ("guided", *AT_FIRST)),
+    Variant("this planner", AT_FIRST),
 )
 
-PLANNER = Variant("this planner")
+# Where the first try finds a path no other part has anything to do: all variants go without it, and
+# are held against the planner without it.
+CELLS = Variant("no first try", ("probe",))
 ABLATIONS = (
-    PLANNER,
-    Variant("no joint obstruction", ("joint",)),
-    Variant("no joint, DISP query", ("joint",), "displacement"),
-    Variant("no joint, Eq. 3 query", ("joint",), "published"),
-    Variant("no joint, no query", ("joint",), "none"),
-    Variant("no star test", ("star",)),
-    Variant("level by level", ("guided",)),
-    Variant("search from scratch", ("incremental",)),
-    Variant("cover, not partition", ("partition",)),
-    Variant("no hierarchy", ("hierarchy",)),
-    Variant("no cheap moves", ("cheap",)),
+    Variant("this planner"),
+    CELLS,
+    Variant("no joint obstruction", ("joint", "probe")),
+    Variant("no joint, DISP query", ("joint", "probe"), "displacement"),
+    Variant("no joint, Eq. 3 query", ("joint", "probe"), "published"),
+    Variant("no joint, no query", ("joint", "probe"), "none"),
+    Variant("no star test", ("star", "probe")),
+    Variant("level by level", ("guided", "probe")),
+    Variant("search from scratch", ("incremental", "probe")),
+    Variant("cover, not partition", ("partition", "probe")),
+    Variant("no hierarchy", ("hierarchy", "probe")),
+    Variant("no cheap moves", AT_FIRST),
 )
 
 

@@ -77,6 +77,7 @@ planner::Parts parts_of(const std::vector<std::string>& without, const std::stri
     if (part == "hierarchy") parts.hierarchy = false;
     if (part == "partition") parts.partition = false;
     if (part == "cheap") parts.cheap = false;
+    if (part == "probe") parts.probe = false;
   }
   if (query == "none") parts.query = planner::CullingQuery::kNone;
   if (query == "published") parts.query = planner::CullingQuery::kPublished;
@@ -124,6 +125,7 @@ nb::dict statistics_dict(const planner::Answer& answer) {
   seconds["preprocessing"] = s.seconds.preprocessing;
   seconds["labelling"] = s.seconds.labelling;
   seconds["faces"] = s.seconds.faces;
+  seconds["probe"] = s.seconds.probe;
   seconds["search"] = s.seconds.search;
   seconds["path"] = s.seconds.path;
   seconds["total"] = s.seconds.total;
@@ -141,6 +143,7 @@ nb::dict statistics_dict(const planner::Answer& answer) {
   out["pairs_total"] = s.pairs_total;
   out["faces_tested"] = s.faces_tested;
   out["segments_tested"] = s.segments_tested;
+  out["probe_checks"] = s.probe_checks;
   out["search_rounds"] = s.search_rounds;
   out["search_expansions"] = s.search_expansions;
   out["search_rebuilds"] = s.search_rebuilds;
@@ -149,7 +152,6 @@ nb::dict statistics_dict(const planner::Answer& answer) {
   out["seconds"] = seconds;
   out["path_length"] = answer.path.length;
   out["path_turning"] = answer.path.turning;
-  out["least_clearance"] = answer.path.least_clearance;
   out["waypoints"] = answer.path.waypoints.size();
   out["decided_by"] = s.decided_by;
   return out;
@@ -243,6 +245,8 @@ NB_MODULE(_core, m) {
            nb::arg("max_cells"), nb::arg("timeout"), nb::arg("max_memory"),
            nb::arg("contact_tolerance"), nb::arg("listener").none())
       .def("check_path", &check_path, nb::arg("path"))
+      .def("least_clearance", &planner::Planner::least_clearance,
+           nb::call_guard<nb::gil_scoped_release>())
       .def("evidence", &bindings::evidence);
   bindings::add_state_check(m);
 }

@@ -7,6 +7,9 @@
 
 namespace planner {
 
+// The defaults of resolution, max_cells, max_memory and contact_tolerance mirror
+// planar_planner/options.py, which explains them; tests/planner/test_options.py holds the two
+// together. Python always passes its own.
 struct Limits {
   double resolution = 1e-9;  // smallest half-width of a cell, relative to the domain's
   std::uint64_t max_cells = 5'000'000;

@@ -66,6 +66,12 @@ void ObstacleTree::bound(TreeNode& node) const {
   }
 }
 
+std::optional<std::uint32_t> ObstacleTree::whole_polygon(const std::uint32_t index) const {
+  const TreeNode& node = nodes_[index];
+  if (node.end - node.begin != 1 || items_[node.begin].is_piece) return std::nullopt;
+  return items_[node.begin].id;
+}
+
 void ObstacleTree::expand(const std::uint32_t index) {
   const TreeNode& node = nodes_[index];
   if (node.left != 0 || node.piece != kNoPiece) return;

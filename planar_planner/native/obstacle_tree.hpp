@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "pdg/native/convex_piece.hpp"
@@ -36,6 +37,8 @@ class ObstacleTree {
   // Index into the obstacles, or kWall.
   [[nodiscard]] std::uint32_t polygon_of_piece(std::uint32_t i) const { return polygons_[i]; }
   [[nodiscard]] std::size_t piece_count() const { return pieces_.size(); }
+  // The one polygon that this node is, not yet decomposed.
+  [[nodiscard]] std::optional<std::uint32_t> whole_polygon(std::uint32_t node) const;
   // Polygons not yet decomposed.
   [[nodiscard]] std::size_t untouched_polygons() const { return untouched_; }
 

@@ -23,6 +23,7 @@ struct Parts {
   bool hierarchy = true;    // obstacles by a bounding-volume hierarchy; without: all pairs
   bool partition = true;    // disjoint convex pieces; without: a cover of larger, overlapping ones
   bool cheap = true;        // straight and two-leg moves, and discs, before any subdivision
+  bool probe = true;        // a first try by RRT-Connect, certified; without: cells only
 };
 
 }  // namespace planner

@@ -88,8 +88,7 @@ std::optional<std::size_t> certify_shortened(const Problem& problem, ObstacleTre
   return std::nullopt;
 }
 
-PathReport report_path(const Problem& problem, ObstacleTree& tree,
-                       std::vector<Configuration> waypoints) {
+PathReport report_path(std::vector<Configuration> waypoints) {
   PathReport report;
   for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
     const Configuration& a = waypoints[i];
@@ -97,11 +96,15 @@ PathReport report_path(const Problem& problem, ObstacleTree& tree,
     report.length += std::hypot(b.x - a.x, b.y - a.y);
     report.turning += std::abs(b.theta - a.theta);
   }
-  const ClearanceBounds clearance = bound_clearance(problem, tree, poses_of(problem, waypoints),
-                                                    kClearanceTolerance, kClearanceIntervals);
-  report.least_clearance = length_to_user(problem, clearance.lower);
   report.waypoints = std::move(waypoints);
   return report;
+}
+
+double path_clearance(const Problem& problem, ObstacleTree& tree,
+                      const std::vector<Configuration>& waypoints) {
+  const ClearanceBounds clearance = bound_clearance(problem, tree, poses_of(problem, waypoints),
+                                                    kClearanceTolerance, kClearanceIntervals);
+  return length_to_user(problem, clearance.lower);
 }
 
 }  // namespace planner

@@ -19,7 +19,6 @@ struct PathReport {
   std::vector<Configuration> waypoints;  // user's units
   double length = 0.0;                   // of the reference point's way, user's units
   double turning = 0.0;                  // total |theta| change, radians
-  double least_clearance = 0.0;          // certified lower bound, user's units
 };
 
 // start -> guards and connectors -> goal. links[i] joins channel[i] and channel[i + 1]; owners[k]
@@ -42,7 +41,10 @@ std::optional<std::size_t> certify_shortened(const Problem& problem, ObstacleTre
                                              SegmentTest& test, std::vector<Configuration>& path,
                                              const Terminator& stop);
 
-PathReport report_path(const Problem& problem, ObstacleTree& tree,
-                       std::vector<Configuration> waypoints);
+PathReport report_path(std::vector<Configuration> waypoints);
+
+// Certified lower bound of the clearance along a certified path, user's units.
+double path_clearance(const Problem& problem, ObstacleTree& tree,
+                      const std::vector<Configuration>& waypoints);
 
 }  // namespace planner

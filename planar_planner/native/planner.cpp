@@ -4,6 +4,7 @@
 
 #include "disc.hpp"
 #include "refinement.hpp"
+#include "rrt_connect.hpp"
 
 namespace planner {
 
@@ -11,6 +12,14 @@ namespace {
 
 // A try with a disc instead of the robot may cost no more cells than this.
 constexpr std::uint64_t kDiscCells = 4000;
+
+// Configurations that the first try by trees may ask about: some, and some more for every vertex of
+// an obstacle, since there a subdivision costs more as well.
+constexpr std::int64_t kProbeChecks = 2500;
+// How far apart they are at first, relative to the robot's reach, and after a path that could not
+// be certified.
+constexpr double kProbeSpacing = 0.25;
+constexpr double kFinerSpacing = 0.25;
 
 }  // namespace
 
@@ -29,7 +38,8 @@ Answer Planner::solve(const Configuration& start, const Configuration& goal, con
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   const bool cheap = problem_.parts.cheap;
-  if (!ends_not_free(query) && !(cheap && (cheap_move(query) || disc_answer(query))))
+  if (!ends_not_free(query) && !(cheap && (cheap_move(query) || disc_answer(query))) &&
+      !(problem_.parts.probe && probe(query)))
     subdivide(query);
   confirm_absence(query, start, goal);
   remember(query, start, goal);
@@ -81,16 +91,36 @@ bool Planner::cheap_move(Query& query) {
 }
 
 bool Planner::conclude_path(Query& query, std::vector<Configuration> path, const char* by) {
-  query.answer.path = report_path(problem_, *tree_, std::move(path));
+  query.answer.path = report_path(std::move(path));
   query.conclude(Verdict::kPath, "certified " + std::string(by), by);
   return true;
+}
+
+// Two random trees, of whose path only its certificate is believed.
+bool Planner::probe(Query& query) {
+  const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
+  const std::size_t vertices = problem_.scene.obstacles.points.size();
+  CollisionHint hint(problem_, *tree_);
+  RrtConnect trees(problem_, hint, kProbeChecks + static_cast<std::int64_t>(vertices));
+  for (double spacing = kProbeSpacing * problem_.robot.reach;; spacing *= kFinerSpacing) {
+    std::vector<Configuration> path;
+    {
+      const Stopwatch watch(statistics_.seconds.probe);
+      path = trees.find(query.start, query.goal, spacing, stop);
+      statistics_.probe_checks = hint.calls();
+    }
+    if (path.empty()) return false;
+    const Stopwatch watch(statistics_.seconds.path);
+    if (!certify_shortened(problem_, *tree_, *segments_, path, stop))
+      return conclude_path(query, std::move(path), "RRT-Connect");
+  }
 }
 
 bool Planner::disc_answer(Query& query) {
   if (!std::exchange(disc_prepared_, true)) {
     if (auto scenes = disc_scenes(problem_)) {
-      disc_round_ = std::make_unique<Planner>(std::move(scenes->round));
-      disc_inside_ = std::make_unique<Planner>(std::move(scenes->inside));
+      disc_round_ = std::make_unique<Planner>(std::move(scenes->round), problem_.parts);
+      disc_inside_ = std::make_unique<Planner>(std::move(scenes->inside), problem_.parts);
     }
   }
   if (!disc_round_) return false;
@@ -223,6 +253,11 @@ Evidence Planner::evidence() {
   return out;
 }
 
+double Planner::least_clearance() {
+  if (last_.verdict != Verdict::kPath) return 0.0;
+  return path_clearance(problem_, *tree_, last_.waypoints);
+}
+
 Placement Planner::placement(const Configuration& q) {
   return place(problem_, *tree_, *labeller_, q);
 }
@@ -239,7 +274,7 @@ PathCheck Planner::check_path(std::vector<Configuration> path) {
   const Terminator never = [] { return false; };
   const auto bad = first_uncertified(problem_, *segments_, path, never);
   if (bad) check.bad_segment = static_cast<std::int64_t>(*bad);
-  if (!bad) check.least_clearance = report_path(problem_, *tree_, std::move(path)).least_clearance;
+  if (!bad) check.least_clearance = path_clearance(problem_, *tree_, path);
   return check;
 }
 

@@ -34,14 +34,17 @@ class Planner {
   Answer solve(const Configuration& start, const Configuration& goal, const Limits& limits,
                const Listener& listener);
   PathCheck check_path(std::vector<Configuration> path);
-  // Of the last answer; computed now, since most callers do not ask.
+  // Of the last answer; computed now, since not every caller asks.
   Evidence evidence();
+  // Certified lower bound along the last answer's path, user's units; 0 without a path.
+  double least_clearance();
   // The disc that stood for the robot (ClaimKind::kDisc).
   [[nodiscard]] const Planner& disc_inside() const { return *disc_inside_; }
 
  private:
   bool ends_not_free(Query& query);
   bool cheap_move(Query& query);
+  bool probe(Query& query);
   bool disc_answer(Query& query);
   Answer ask_disc(Planner& disc, Query& query);
   bool conclude_path(Query& query, std::vector<Configuration> path, const char* by);

@@ -172,7 +172,7 @@ bool Refinement::finish(const std::vector<CellId>& channel) {
       exhaust(cell);
     return false;
   }
-  query_.answer.path = report_path(problem_, tree_, std::move(path));
+  query_.answer.path = report_path(std::move(path));
   query_.conclude(Verdict::kPath, "certified through a channel of cells", "channel");
   return true;
 }

@@ -11,6 +11,7 @@ Statistics& Statistics::operator+=(const Statistics& other) {
   joint_cells += other.joint_cells;
   faces_tested += other.faces_tested;
   segments_tested += other.segments_tested;
+  probe_checks += other.probe_checks;
   search_rounds += other.search_rounds;
   search_expansions += other.search_expansions;
   search_rebuilds += other.search_rebuilds;
@@ -20,6 +21,7 @@ Statistics& Statistics::operator+=(const Statistics& other) {
   seconds.faces += other.seconds.faces;
   seconds.search += other.seconds.search;
   seconds.path += other.seconds.path;
+  seconds.probe += other.seconds.probe;
   return *this;
 }
 

@@ -14,6 +14,7 @@ struct Seconds {
   double faces = 0.0;
   double search = 0.0;
   double path = 0.0;
+  double probe = 0.0;
   double total = 0.0;
 };
 
@@ -26,6 +27,7 @@ struct Statistics {
   std::uint64_t joint_cells = 0;  // FULL by several pairs together
   std::uint64_t faces_tested = 0;
   std::uint64_t segments_tested = 0;
+  std::uint64_t probe_checks = 0;  // configurations that the first try asked about
   std::uint64_t search_rounds = 0;
   std::uint64_t search_expansions = 0;
   std::uint64_t search_rebuilds = 0;  // mended trees that overlooked a channel: a defect

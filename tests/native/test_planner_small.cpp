@@ -44,7 +44,7 @@ void expect_path_between(Planner& planner, const Answer& answer, const Configura
   EXPECT_EQ(path.back().x, goal.x);
   EXPECT_EQ(path.back().y, goal.y);
   EXPECT_LT(planner.check_path(path).bad_segment, 0);
-  EXPECT_GT(answer.path.least_clearance, 0.0);
+  EXPECT_GT(planner.least_clearance(), 0.0);
 }
 
 TEST(PlannerSmall, StartIsGoal) {

@@ -75,6 +75,21 @@ def comparison(ours: OurRun, *runs: SamplerRun) -> SceneComparison:
     return SceneComparison("small", 0.001, (ours,), {"RRTConnect": runs})
 
 
+# Paths between other ends
+
+
+def test_a_path_between_other_ends_is_not_sound(scene_dict: dict[str, Any]) -> None:
+    judge = judge_of({**scene_dict, "obstacles": []})
+    start, goal = scene_dict["start"], scene_dict["goal"]
+    whole = {"exact": True, "seconds": 0.1, "prepare_seconds": 0.1, "path": [start, goal]}
+    assert sampler_run("RRT", 1, whole, judge).soundness == "sound"
+    turned = [start, [goal[0], goal[1], goal[2] + math.tau]]
+    assert judge.joins(np.array(turned))
+    for path in ([goal], [goal, goal], [goal, start], [start, [goal[0], goal[1], goal[2] + 1e-3]]):
+        assert not judge.joins(np.array(path, dtype=float))
+        assert sampler_run("RRT", 1, whole | {"path": path}, judge).soundness == "unknown"
+
+
 # Names and settings
 
 

@@ -1,0 +1,163 @@
+#include "collision.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "segment.hpp"
+
+namespace planner {
+
+CollisionHint::CollisionHint(const Problem& problem, ObstacleTree& tree, const std::size_t small)
+    : problem_(problem),
+      tree_(tree),
+      small_(problem.scene.obstacles.points.size() <= small),
+      vertices_(problem.robot.vertex_total),
+      normals_(problem.robot.vertex_total),
+      turned_at_(problem.robot.pieces.size()),
+      outlines_(small_ ? 0 : problem.scene.obstacles.size()) {}
+
+bool CollisionHint::collides(const Pose& pose) {
+  ++calls_;
+  t_ = pose.t;
+  rotation_ = rotation_at(pose.theta);
+  place_hull();
+  if (out_of_bounds()) return true;
+  if (tree_.empty()) return false;
+  if (last_hit_ != kNoPiece && meets(tree_.node(last_hit_)) && hits_node(last_hit_)) return true;
+  open_.assign(1, tree_.root());
+  while (!open_.empty()) {
+    const std::uint32_t index = open_.back();
+    open_.pop_back();
+    if (!meets(tree_.node(index))) continue;
+    if (small_ || !tree_.whole_polygon(index)) tree_.expand(index);
+    if (const std::uint32_t left = tree_.node(index).left; left != 0) {
+      open_.push_back(left + 1);
+      open_.push_back(left);
+    } else if (index != last_hit_ && hits_node(index)) {
+      last_hit_ = index;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool CollisionHint::meets(const TreeNode& node) const {
+  return low_.x < node.high.x && node.low.x < high_.x && low_.y < node.high.y &&
+         node.low.y < high_.y;
+}
+
+// Of a node without children. One that hit before may have been decomposed since: then not.
+bool CollisionHint::hits_node(const std::uint32_t index) {
+  const std::uint32_t piece = tree_.node(index).piece;
+  if (piece != kNoPiece) return hits_piece(tree_.piece(piece));
+  const auto polygon = tree_.whole_polygon(index);
+  return polygon && hits_outline(*polygon);
+}
+
+bool CollisionHint::hits_outline(const std::uint32_t polygon) {
+  std::optional<Outline>& outline = outlines_[polygon];
+  if (!outline) outline.emplace(problem_.scene.obstacles, polygon, problem_.frame);
+  if (outline->any_edge(low_, high_, [&](const Vec2 p, const Vec2 q) { return crosses(p, q); }))
+    return true;
+  // No edge in the robot: each of its pieces lies inside or outside as a whole.
+  const auto inside = [&](const pdg::ConvexPiece& piece) {
+    return outline->contains(t_ + pdg::rotate(rotation_, piece.inner_centre));
+  };
+  const auto& pieces = problem_.robot.pieces;
+  return std::any_of(pieces.begin(), pieces.end() - 1, inside);
+}
+
+// Does the line from p to q enter a piece of the robot? In the robot's frame.
+bool CollisionHint::crosses(const Vec2 p, const Vec2 q) const {
+  if (std::max(p.x, q.x) <= low_.x || std::min(p.x, q.x) >= high_.x ||
+      std::max(p.y, q.y) <= low_.y || std::min(p.y, q.y) >= high_.y)
+    return false;
+  const pdg::Rotation back{rotation_.cos, -rotation_.sin};
+  const Vec2 a = pdg::rotate(back, p - t_);
+  const Vec2 b = pdg::rotate(back, q - t_);
+  const Vec2 normal{b.y - a.y, a.x - b.x};
+  const double height = dot(normal, a);
+  const double length = pdg::norm(normal);
+  const auto meets_piece = [&](const pdg::ConvexPiece& piece) {
+    const double at = dot(normal, piece.centre) - height;
+    if (std::abs(at) >= piece.radius * length) return false;
+    bool left = false;
+    bool right = false;
+    for (const pdg::Edge& edge : piece.edges) {
+      if (dot(edge.normal, a) >= edge.offset && dot(edge.normal, b) >= edge.offset) return false;
+      (dot(normal, edge.vertex) > height ? right : left) = true;
+    }
+    return left && right;
+  };
+  const auto& pieces = problem_.robot.pieces;
+  return std::any_of(pieces.begin(), pieces.end() - 1, meets_piece);
+}
+
+void CollisionHint::place_hull() {
+  low_ = {INFINITY, INFINITY};
+  high_ = {-INFINITY, -INFINITY};
+  for (const pdg::Edge& edge : problem_.robot.pieces.back().edges) {
+    const Vec2 p = pdg::rotate(rotation_, edge.vertex);
+    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+  }
+  low_ = low_ + t_;
+  high_ = high_ + t_;
+}
+
+bool CollisionHint::out_of_bounds() const {
+  const Domain& d = problem_.domain;
+  const Vec2 place = t_ - d.low;
+  if (place.x < 0.0 || place.y < 0.0 || place.x > d.size.x || place.y > d.size.y) return true;
+  // A wall is the half-plane behind its normal.
+  return std::any_of(problem_.walls.begin(), problem_.walls.end(), [&](const pdg::ConvexPiece& w) {
+    const Vec2 n = w.edges[0].normal;
+    return dot(n, {n.x > 0.0 ? low_.x : high_.x, n.y > 0.0 ? low_.y : high_.y}) < w.edges[0].offset;
+  });
+}
+
+bool CollisionHint::hits_piece(const pdg::ConvexPiece& obstacle) {
+  const Robot& robot = problem_.robot;
+  for (std::size_t i = 0; i < robot.body_pieces(); ++i) {
+    const pdg::ConvexPiece& a = robot.pieces[i];
+    const Vec2 apart = t_ + pdg::rotate(rotation_, a.centre) - obstacle.centre;
+    const double reach = a.radius + obstacle.radius;
+    if (dot(apart, apart) >= reach * reach) continue;
+    turn(i);
+    if (!separated(i, obstacle)) return true;
+  }
+  return false;
+}
+
+void CollisionHint::turn(const std::size_t piece) {
+  if (turned_at_[piece] == calls_) return;
+  turned_at_[piece] = calls_;
+  std::size_t k = problem_.robot.first_vertex[piece];
+  for (const pdg::Edge& edge : problem_.robot.pieces[piece].edges) {
+    vertices_[k] = pdg::rotate(rotation_, edge.vertex);
+    normals_[k] = pdg::rotate(rotation_, edge.normal);
+    ++k;
+  }
+}
+
+bool CollisionHint::separated(const std::size_t piece, const pdg::ConvexPiece& b) const {
+  const std::vector<pdg::Edge>& edges = problem_.robot.pieces[piece].edges;
+  const std::size_t first = problem_.robot.first_vertex[piece];
+  const std::size_t end = first + edges.size();
+  for (const pdg::Edge& edge : b.edges) {
+    const double least = edge.offset - dot(edge.normal, t_);
+    std::size_t k = first;
+    while (k < end && dot(edge.normal, vertices_[k]) >= least) ++k;
+    if (k == end) return true;
+  }
+  for (std::size_t k = first; k < end; ++k) {
+    const double least = edges[k - first].offset + dot(normals_[k], t_);
+    const bool apart = std::all_of(b.edges.begin(), b.edges.end(), [&](const pdg::Edge& edge) {
+      return dot(normals_[k], edge.vertex) >= least;
+    });
+    if (apart) return true;
+  }
+  return false;
+}
+
+}  // namespace planner

@@ -1,0 +1,58 @@
+// Does the robot overlap anything in one configuration? In plain doubles, without margins: a hint
+// that steers a search and proves nothing. In a large scene polygons that nobody has decomposed yet
+// stay so: their outlines are asked.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "obstacle_tree.hpp"
+#include "outline.hpp"
+#include "pose.hpp"
+#include "problem.hpp"
+
+namespace planner {
+
+// Obstacle vertices that are decomposed in less time than a first try takes.
+inline constexpr std::size_t kSmallScene = 300;
+
+class CollisionHint {
+ public:
+  // Scenes with more obstacle vertices than `small` are large.
+  CollisionHint(const Problem& problem, ObstacleTree& tree, std::size_t small = kSmallScene);
+
+  // True as well if the reference point is out of its domain.
+  bool collides(const Pose& pose);
+
+  // Calls of collides.
+  [[nodiscard]] std::uint64_t calls() const { return calls_; }
+
+ private:
+  [[nodiscard]] bool out_of_bounds() const;
+  void place_hull();
+  bool hits_node(std::uint32_t node);
+  bool hits_piece(const pdg::ConvexPiece& obstacle);
+  bool hits_outline(std::uint32_t polygon);
+  [[nodiscard]] bool crosses(Vec2 p, Vec2 q) const;
+  [[nodiscard]] bool meets(const TreeNode& node) const;
+  void turn(std::size_t piece);
+  [[nodiscard]] bool separated(std::size_t piece, const pdg::ConvexPiece& obstacle) const;
+
+  const Problem& problem_;
+  ObstacleTree& tree_;
+  bool small_;                                    // a scene that is decomposed without a thought
+  std::vector<Vec2> vertices_, normals_;          // of the robot's pieces, turned but not moved
+  std::vector<std::uint64_t> turned_at_;          // by piece: the call that turned it last
+  std::vector<std::uint32_t> open_;               // nodes still to visit
+  std::vector<std::optional<Outline>> outlines_;  // by polygon, made when first asked
+  std::uint64_t calls_ = 0;
+  std::uint32_t last_hit_ = kNoPiece;  // node
+
+  // Of the configuration asked about.
+  Vec2 t_;
+  pdg::Rotation rotation_;
+  Vec2 low_, high_;  // bounds of the robot
+};
+
+}  // namespace planner

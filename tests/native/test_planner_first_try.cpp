@@ -1,0 +1,186 @@
+// The first try: its collision test against separating axes in long double, and what its trees
+// promise.
+#include <gtest/gtest.h>
+
+#include "planar_planner/native/collision.hpp"
+#include "planar_planner/native/planner.hpp"
+#include "planar_planner/native/rrt_connect.hpp"
+#include "planner_worlds.hpp"
+
+namespace {
+
+using planner::CollisionHint;
+using planner::Configuration;
+using planner::Pose;
+using planner::RrtConnect;
+using worlds::Random;
+using worlds::Real;
+using worlds::World;
+
+// Planner units; nearer to contact plain doubles may say either.
+constexpr Real kBeyondRounding = 1e-12L;
+constexpr std::int64_t kBudget = 5000;
+constexpr double kSpacing = 0.02;
+
+const planner::Terminator never = [] { return false; };
+
+Pose random_pose(Random& random, const planner::Domain& domain) {
+  return {{domain.low.x + worlds::uniform(random, -0.02, 1.02) * domain.size.x,
+           domain.low.y + worlds::uniform(random, -0.02, 1.02) * domain.size.y},
+          worlds::uniform(random, -10.0, 10.0)};
+}
+
+bool in_domain(const planner::Domain& domain, const Pose& pose) {
+  const pdg::Vec2 p = pose.t - domain.low;
+  return p.x >= 0.0 && p.y >= 0.0 && p.x <= domain.size.x && p.y <= domain.size.y;
+}
+
+// `small`: obstacle vertices up to which pieces are asked, not outlines.
+void compare_with_oracle(const std::size_t small) {
+  int free = 0;
+  int colliding = 0;
+  const std::vector<worlds::Recipe> recipes = worlds::recipes();
+  for (std::uint64_t seed = 0; seed < 45; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(7700 + seed);
+    World world(worlds::random_scene(random, recipes[seed % recipes.size()]));
+    CollisionHint hint(world.problem, world.tree, small);
+    for (int i = 0; i < 400; ++i) {
+      const Pose pose = random_pose(random, world.problem.domain);
+      const Real separation = world.oracle.separation({pose.t.x, pose.t.y, pose.theta});
+      const bool collides = hint.collides(pose);
+      if (!in_domain(world.problem.domain, pose)) {
+        ASSERT_TRUE(collides);
+      } else if (std::abs(separation) > kBeyondRounding) {
+        ASSERT_EQ(collides, separation < 0.0L) << static_cast<double>(separation);
+        ++(collides ? colliding : free);
+      }
+    }
+    ASSERT_EQ(hint.calls(), 400U);
+    if (small == 0) {
+      ASSERT_EQ(world.tree.untouched_polygons(), world.problem.scene.obstacles.size());
+    }
+  }
+  EXPECT_GT(free, 1000);
+  EXPECT_GT(colliding, 1000);
+}
+
+TEST(PlannerFirstTry, CollisionsOfPiecesAgreeWithTheOracle) {
+  compare_with_oracle(planner::kSmallScene);
+}
+
+TEST(PlannerFirstTry, CollisionsOfOutlinesAgreeWithTheOracleAndDecomposeNothing) {
+  compare_with_oracle(0);
+}
+
+// Whatever was decomposed meanwhile is asked piece by piece.
+TEST(PlannerFirstTry, OutlinesGiveWayToPieces) {
+  Random random(1);
+  World world(
+      worlds::random_scene(random, {.obstacles = 6, .convex = false, .obstacle_size = 3.0}));
+  CollisionHint outlines(world.problem, world.tree, 0);
+  std::vector<Pose> poses;
+  std::vector<bool> before;
+  for (int i = 0; i < 500; ++i) {
+    poses.push_back(random_pose(random, world.problem.domain));
+    before.push_back(outlines.collides(poses.back()));
+  }
+  world.tree.expand_all();
+  for (std::size_t i = 0; i < poses.size(); ++i) ASSERT_EQ(outlines.collides(poses[i]), before[i]);
+}
+
+std::optional<Configuration> free_place(World& world, CollisionHint& hint, Random& random) {
+  for (int i = 0; i < 200; ++i) {
+    const Pose pose = random_pose(random, world.problem.domain);
+    if (!hint.collides(pose)) return planner::configuration_of(world.problem, pose);
+  }
+  return std::nullopt;
+}
+
+void check_path(World& world, CollisionHint& hint, const std::vector<Configuration>& path) {
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const Pose a = planner::pose_of(world.problem, path[i]);
+    const Pose b = planner::pose_of(world.problem, path[i + 1]);
+    ASSERT_LE(std::abs(b.theta - a.theta), std::numbers::pi * (1.0 + 1e-9));
+    const double way =
+        pdg::norm(b.t - a.t) + world.problem.robot.reach * std::abs(b.theta - a.theta);
+    const int steps = static_cast<int>(way / kSpacing);
+    // As many places as the trees asked about at least, not the same ones: near misses are rare.
+    int hits = 0;
+    for (int k = 1; k < steps; ++k)
+      hits += hint.collides(planner::between(a, b, static_cast<double>(k) / steps)) ? 1 : 0;
+    ASSERT_LE(hits, 2);
+  }
+}
+
+TEST(PlannerFirstTry, PathsRunFromStartToGoalWithinTheBudget) {
+  int found = 0;
+  const std::vector<worlds::Recipe> recipes = worlds::recipes();
+  for (std::uint64_t seed = 0; seed < 36; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(8800 + seed);
+    worlds::Recipe recipe = recipes[seed % recipes.size()];
+    recipe.rotation = seed % 2 == 0;
+    World world(worlds::random_scene(random, recipe));
+    CollisionHint places(world.problem, world.tree);
+    const auto start = free_place(world, places, random);
+    auto goal = free_place(world, places, random);
+    if (!start || !goal) continue;
+    if (!recipe.rotation) {
+      goal->theta = start->theta;
+      if (places.collides(planner::pose_of(world.problem, *goal))) continue;
+    }
+    CollisionHint hint(world.problem, world.tree);
+    const auto path = RrtConnect(world.problem, hint, kBudget).find(*start, *goal, kSpacing, never);
+    ASSERT_LE(hint.calls(), static_cast<std::uint64_t>(kBudget));
+    CollisionHint second(world.problem, world.tree);
+    const auto again =
+        RrtConnect(world.problem, second, kBudget).find(*start, *goal, kSpacing, never);
+    ASSERT_EQ(hint.calls(), second.calls());
+    ASSERT_EQ(path.size(), again.size());
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      ASSERT_EQ(path[i].x, again[i].x);
+      ASSERT_EQ(path[i].theta, again[i].theta);
+      if (!recipe.rotation) {
+        ASSERT_EQ(path[i].theta, start->theta);
+      }
+    }
+    if (path.empty()) continue;
+    ++found;
+    ASSERT_EQ(path.front().x, start->x);
+    ASSERT_EQ(path.front().theta, start->theta);
+    ASSERT_EQ(path.back().y, goal->y);
+    const double turns = (path.back().theta - goal->theta) / (2.0 * std::numbers::pi);
+    ASSERT_NEAR(turns, std::nearbyint(turns), 1e-9);
+    check_path(world, places, path);
+  }
+  EXPECT_GT(found, 15);
+}
+
+TEST(PlannerFirstTry, SpendsItsBudgetWhereThereIsNoWay) {
+  planner::Scene scene;
+  scene.robot.append({{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}}});
+  scene.obstacles.append({{{{4.0, -1.0}, {6.0, -1.0}, {6.0, 11.0}, {4.0, 11.0}}}});
+  scene.box = planner::Rectangle{{0.0, 0.0}, {10.0, 10.0}};
+  World world(std::move(scene));
+  CollisionHint hint(world.problem, world.tree);
+  const auto path = RrtConnect(world.problem, hint, kBudget)
+                        .find({2.0, 5.0, 0.0}, {8.0, 5.0, 0.0}, kSpacing, never);
+  EXPECT_TRUE(path.empty());
+  EXPECT_LE(hint.calls(), static_cast<std::uint64_t>(kBudget));
+  EXPECT_GT(hint.calls(), static_cast<std::uint64_t>(kBudget) / 4);
+}
+
+TEST(PlannerFirstTry, StopsWhenTold) {
+  Random random(3);
+  World world(worlds::random_scene(random, {}));
+  CollisionHint hint(world.problem, world.tree);
+  const auto path =
+      RrtConnect(world.problem, hint, kBudget).find({}, {1.0, 1.0, 1.0}, kSpacing, [] {
+        return true;
+      });
+  EXPECT_TRUE(path.empty());
+  EXPECT_EQ(hint.calls(), 0U);
+}
+
+}  // namespace

@@ -1,0 +1,47 @@
+"""The first try by trees: where it answers, and that it changes no verdict."""
+
+import numpy as np
+import pytest
+
+from planar_planner import Options, load_scene, solve
+from planar_planner.builtin import manifest
+from planar_planner.core import ask, make_core
+from planar_planner.problem import make_problem
+
+BY_TREES = "RRT-Connect"
+SCENES = manifest()
+ROOMY = ("gear-wide", "window", "slide", "courtyard", "fence")
+
+
+@pytest.mark.parametrize("name", sorted(SCENES))
+def test_verdict_is_the_same_without_it(name: str) -> None:
+    problem = make_problem(load_scene(name))
+    answer = ask(make_core(problem, without=("probe",)), problem, Options())
+    assert answer["verdict"] == SCENES[name]["expected"]
+    assert answer["stats"]["probe_checks"] == 0
+    assert answer["stats"]["decided_by"] != BY_TREES
+
+
+@pytest.mark.parametrize("name", ROOMY)
+def test_answers_where_there_is_room(name: str) -> None:
+    scene = load_scene(name)
+    result = solve(scene, certificate=True)
+    assert result.stats["decided_by"] == BY_TREES
+    assert result.stats["cells"] == 0
+    assert result.stats["probe_checks"] > 0
+    assert result.stats["least_clearance"] > 0.0
+    assert result.path[0].tolist() == list(scene.start)
+    assert result.path[-1][:2].tolist() == list(scene.goal[:2])
+    assert result.certificate is not None
+
+
+def test_is_short_where_there_is_none() -> None:
+    result = solve(load_scene("corner-too-long"))
+    assert result.verdict == "no_path"
+    assert 0 < result.stats["probe_checks"] < 5000
+
+
+def test_is_the_same_every_time() -> None:
+    first, second = (solve(load_scene("fence")) for _ in range(2))
+    assert np.array_equal(first.path, second.path)
+    assert first.stats["probe_checks"] == second.stats["probe_checks"]
