@@ -16,34 +16,39 @@ CollisionHint::CollisionHint(const Problem& problem, ObstacleTree& tree, const s
       turned_at_(problem.robot.pieces.size()),
       outlines_(small_ ? 0 : problem.scene.obstacles.size()) {}
 
-bool CollisionHint::collides(const Pose& pose) {
+double CollisionHint::gap(const Pose& pose) {
   ++calls_;
   t_ = pose.t;
   rotation_ = rotation_at(pose.theta);
   place_hull();
-  if (out_of_bounds()) return true;
-  if (tree_.empty()) return false;
-  if (last_hit_ != kNoPiece && meets(tree_.node(last_hit_)) && hits_node(last_hit_)) return true;
+  double least = gap_to_bounds();
+  if (least < 0.0) return kCollides;
+  if (tree_.empty()) return least;
+  if (last_hit_ != kNoPiece && gap_to_box(tree_.node(last_hit_)) <= 0.0 && hits_node(last_hit_))
+    return kCollides;
   open_.assign(1, tree_.root());
   while (!open_.empty()) {
     const std::uint32_t index = open_.back();
     open_.pop_back();
-    if (!meets(tree_.node(index))) continue;
+    const double to_box = gap_to_box(tree_.node(index));
+    least = std::min(least, std::max(to_box, 0.0));
+    if (to_box > 0.0) continue;
     if (small_ || !tree_.whole_polygon(index)) tree_.expand(index);
     if (const std::uint32_t left = tree_.node(index).left; left != 0) {
       open_.push_back(left + 1);
       open_.push_back(left);
     } else if (index != last_hit_ && hits_node(index)) {
       last_hit_ = index;
-      return true;
+      return kCollides;
     }
   }
-  return false;
+  return least;
 }
 
-bool CollisionHint::meets(const TreeNode& node) const {
-  return low_.x < node.high.x && node.low.x < high_.x && low_.y < node.high.y &&
-         node.low.y < high_.y;
+// Negative if the boxes overlap.
+double CollisionHint::gap_to_box(const TreeNode& node) const {
+  return std::max(std::max(low_.x - node.high.x, node.low.x - high_.x),
+                  std::max(low_.y - node.high.y, node.low.y - high_.y));
 }
 
 // Of a node without children. One that hit before may have been decomposed since: then not.
@@ -105,15 +110,18 @@ void CollisionHint::place_hull() {
   high_ = high_ + t_;
 }
 
-bool CollisionHint::out_of_bounds() const {
+// Of the robot to the walls, and of the reference point to the edge of its domain.
+double CollisionHint::gap_to_bounds() const {
   const Domain& d = problem_.domain;
   const Vec2 place = t_ - d.low;
-  if (place.x < 0.0 || place.y < 0.0 || place.x > d.size.x || place.y > d.size.y) return true;
-  // A wall is the half-plane behind its normal.
-  return std::any_of(problem_.walls.begin(), problem_.walls.end(), [&](const pdg::ConvexPiece& w) {
-    const Vec2 n = w.edges[0].normal;
-    return dot(n, {n.x > 0.0 ? low_.x : high_.x, n.y > 0.0 ? low_.y : high_.y}) < w.edges[0].offset;
-  });
+  double least =
+      std::min(std::min(place.x, d.size.x - place.x), std::min(place.y, d.size.y - place.y));
+  for (const pdg::ConvexPiece& wall : problem_.walls) {  // the half-plane behind its normal
+    const Vec2 n = wall.edges[0].normal;
+    const Vec2 nearest{n.x > 0.0 ? low_.x : high_.x, n.y > 0.0 ? low_.y : high_.y};
+    least = std::min(least, dot(n, nearest) - wall.edges[0].offset);
+  }
+  return least;
 }
 
 bool CollisionHint::hits_piece(const pdg::ConvexPiece& obstacle) {

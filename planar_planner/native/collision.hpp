@@ -14,6 +14,8 @@
 
 namespace planner {
 
+inline constexpr double kCollides = -1.0;
+
 // Obstacle vertices that are decomposed in less time than a first try takes.
 inline constexpr std::size_t kSmallScene = 300;
 
@@ -22,20 +24,22 @@ class CollisionHint {
   // Scenes with more obstacle vertices than `small` are large.
   CollisionHint(const Problem& problem, ObstacleTree& tree, std::size_t small = kSmallScene);
 
-  // True as well if the reference point is out of its domain.
-  bool collides(const Pose& pose);
+  // How far every point of the robot may move and meet nothing, by bounding boxes: often 0, never
+  // too much. kCollides if the robot overlaps something, or the reference point is out of its
+  // domain.
+  double gap(const Pose& pose);
 
-  // Calls of collides.
+  // Calls of gap.
   [[nodiscard]] std::uint64_t calls() const { return calls_; }
 
  private:
-  [[nodiscard]] bool out_of_bounds() const;
+  [[nodiscard]] double gap_to_bounds() const;
   void place_hull();
   bool hits_node(std::uint32_t node);
   bool hits_piece(const pdg::ConvexPiece& obstacle);
   bool hits_outline(std::uint32_t polygon);
   [[nodiscard]] bool crosses(Vec2 p, Vec2 q) const;
-  [[nodiscard]] bool meets(const TreeNode& node) const;
+  [[nodiscard]] double gap_to_box(const TreeNode& node) const;
   void turn(std::size_t piece);
   [[nodiscard]] bool separated(std::size_t piece, const pdg::ConvexPiece& obstacle) const;
 

@@ -13,8 +13,7 @@ namespace {
 // A try with a disc instead of the robot may cost no more cells than this.
 constexpr std::uint64_t kDiscCells = 4000;
 
-// Configurations that the first try by trees may ask about: some, and some more for every vertex of
-// an obstacle, since there a subdivision costs more as well.
+// Configurations that the first try by trees may ask about: some tenths of a millisecond.
 constexpr std::int64_t kProbeChecks = 2500;
 // How far apart they are at first, relative to the robot's reach, and after a path that could not
 // be certified.
@@ -99,9 +98,8 @@ bool Planner::conclude_path(Query& query, std::vector<Configuration> path, const
 // Two random trees, of whose path only its certificate is believed.
 bool Planner::probe(Query& query) {
   const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
-  const std::size_t vertices = problem_.scene.obstacles.points.size();
   CollisionHint hint(problem_, *tree_);
-  RrtConnect trees(problem_, hint, kProbeChecks + static_cast<std::int64_t>(vertices));
+  RrtConnect trees(problem_, hint, kProbeChecks);
   for (double spacing = kProbeSpacing * problem_.robot.reach;; spacing *= kFinerSpacing) {
     std::vector<Configuration> path;
     {

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace planner {
 
@@ -81,18 +82,27 @@ std::uint32_t RrtConnect::nearest(const Tree& tree, const Pose& target) {
   return static_cast<std::uint32_t>(best);
 }
 
-// Asks about the far end, then ever finer between.
+// Asks about the far end, then ever finer between, but no finer where the gap covers the rest.
 bool RrtConnect::passes(const Pose& from, const Pose& to) {
-  const auto free = [&](const Pose& pose) { return --budget_ >= 0 && !hint_.collides(pose); };
-  if (!free(to)) return false;
+  const auto gap = [&](const Pose& pose) { return --budget_ >= 0 ? hint_.gap(pose) : kCollides; };
+  if (gap(to) < 0.0) return false;
   const double farthest = pdg::norm(to.t - from.t) +
                           problem_.robot.reach * std::abs(turn_between(from.theta, to.theta));
-  const auto wanted = static_cast<std::uint64_t>(farthest / spacing_) + 1;
-  const std::uint64_t parts = std::bit_ceil(wanted);
-  for (std::uint64_t stride = parts / 2; stride > 0; stride /= 2)
-    for (std::uint64_t k = stride; k < parts; k += 2 * stride)
-      if (!free(towards(from, to, static_cast<double>(k) / static_cast<double>(parts))))
-        return false;
+  const std::uint64_t parts = std::bit_ceil(static_cast<std::uint64_t>(farthest / spacing_) + 1);
+  const double part = farthest / static_cast<double>(parts);
+  middles_.assign(1, parts / 2);
+  for (std::uint64_t half = parts / 2; half > 0; half /= 2) {
+    next_.clear();
+    for (const std::uint64_t middle : middles_) {
+      const double s = static_cast<double>(middle) / static_cast<double>(parts);
+      const double here = gap(towards(from, to, s));
+      if (here < 0.0) return false;
+      if (here >= part * static_cast<double>(half)) continue;
+      next_.push_back(middle - half / 2);
+      next_.push_back(middle + half / 2);
+    }
+    std::swap(middles_, next_);
+  }
   return true;
 }
 

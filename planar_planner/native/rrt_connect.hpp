@@ -51,6 +51,7 @@ class RrtConnect {
   double range_ = 0.0;  // longest edge
   double theta_ = 0.0;  // of every configuration where the robot cannot turn
   std::uint64_t state_ = 0;
+  std::vector<std::uint64_t> middles_, next_;  // of passes: what is still to be asked
 };
 
 }  // namespace planner

@@ -48,7 +48,7 @@ void compare_with_oracle(const std::size_t small) {
     for (int i = 0; i < 400; ++i) {
       const Pose pose = random_pose(random, world.problem.domain);
       const Real separation = world.oracle.separation({pose.t.x, pose.t.y, pose.theta});
-      const bool collides = hint.collides(pose);
+      const bool collides = (hint.gap(pose) < 0.0);
       if (!in_domain(world.problem.domain, pose)) {
         ASSERT_TRUE(collides);
       } else if (std::abs(separation) > kBeyondRounding) {
@@ -73,6 +73,32 @@ TEST(PlannerFirstTry, CollisionsOfOutlinesAgreeWithTheOracleAndDecomposeNothing)
   compare_with_oracle(0);
 }
 
+// No motion of the robot that is shorter than the gap meets anything.
+TEST(PlannerFirstTry, GapsAreNeverTooLarge) {
+  int moved = 0;
+  const std::vector<worlds::Recipe> recipes = worlds::recipes();
+  for (std::uint64_t seed = 0; seed < 36; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(9900 + seed);
+    World world(worlds::random_scene(random, recipes[seed % recipes.size()]));
+    CollisionHint hint(world.problem, world.tree, seed % 2 == 0 ? 0 : planner::kSmallScene);
+    for (int i = 0; i < 400; ++i) {
+      const Pose pose = random_pose(random, world.problem.domain);
+      const double gap = hint.gap(pose);
+      if (gap <= 0.0) continue;
+      const double share = worlds::uniform(random, 0.0, 1.0);
+      const double angle = worlds::uniform(random, 0.0, 6.3);
+      const double turn = (1.0 - share) * gap / world.problem.robot.reach;
+      const Pose there{pose.t + share * gap * pdg::Vec2{std::cos(angle), std::sin(angle)},
+                       pose.theta + (i % 2 == 0 ? turn : -turn)};
+      const Real separation = world.oracle.separation({there.t.x, there.t.y, there.theta});
+      ASSERT_GT(separation, -kBeyondRounding) << gap;
+      ++moved;
+    }
+  }
+  EXPECT_GT(moved, 500);
+}
+
 // Whatever was decomposed meanwhile is asked piece by piece.
 TEST(PlannerFirstTry, OutlinesGiveWayToPieces) {
   Random random(1);
@@ -83,16 +109,16 @@ TEST(PlannerFirstTry, OutlinesGiveWayToPieces) {
   std::vector<bool> before;
   for (int i = 0; i < 500; ++i) {
     poses.push_back(random_pose(random, world.problem.domain));
-    before.push_back(outlines.collides(poses.back()));
+    before.push_back(outlines.gap(poses.back()) < 0.0);
   }
   world.tree.expand_all();
-  for (std::size_t i = 0; i < poses.size(); ++i) ASSERT_EQ(outlines.collides(poses[i]), before[i]);
+  for (std::size_t i = 0; i < poses.size(); ++i) ASSERT_EQ(outlines.gap(poses[i]) < 0.0, before[i]);
 }
 
 std::optional<Configuration> free_place(World& world, CollisionHint& hint, Random& random) {
   for (int i = 0; i < 200; ++i) {
     const Pose pose = random_pose(random, world.problem.domain);
-    if (!hint.collides(pose)) return planner::configuration_of(world.problem, pose);
+    if (!(hint.gap(pose) < 0.0)) return planner::configuration_of(world.problem, pose);
   }
   return std::nullopt;
 }
@@ -108,7 +134,7 @@ void check_path(World& world, CollisionHint& hint, const std::vector<Configurati
     // As many places as the trees asked about at least, not the same ones: near misses are rare.
     int hits = 0;
     for (int k = 1; k < steps; ++k)
-      hits += hint.collides(planner::between(a, b, static_cast<double>(k) / steps)) ? 1 : 0;
+      hits += hint.gap(planner::between(a, b, static_cast<double>(k) / steps)) < 0.0 ? 1 : 0;
     ASSERT_LE(hits, 2);
   }
 }
@@ -128,7 +154,7 @@ TEST(PlannerFirstTry, PathsRunFromStartToGoalWithinTheBudget) {
     if (!start || !goal) continue;
     if (!recipe.rotation) {
       goal->theta = start->theta;
-      if (places.collides(planner::pose_of(world.problem, *goal))) continue;
+      if (places.gap(planner::pose_of(world.problem, *goal)) < 0.0) continue;
     }
     CollisionHint hint(world.problem, world.tree);
     const auto path = RrtConnect(world.problem, hint, kBudget).find(*start, *goal, kSpacing, never);
