@@ -30,6 +30,7 @@ double CollisionHint::gap(const Pose& pose) {
   while (!open_.empty()) {
     const std::uint32_t index = open_.back();
     open_.pop_back();
+    ++work_;
     const double to_box = gap_to_box(tree_.node(index));
     least = std::min(least, std::max(to_box, 0.0));
     if (to_box > 0.0) continue;
@@ -62,10 +63,12 @@ bool CollisionHint::hits_node(const std::uint32_t index) {
 bool CollisionHint::hits_outline(const std::uint32_t polygon) {
   std::optional<Outline>& outline = outlines_[polygon];
   if (!outline) outline.emplace(problem_.scene.obstacles, polygon, problem_.frame);
+  work_ += outline->runs();
   if (outline->any_edge(low_, high_, [&](const Vec2 p, const Vec2 q) { return crosses(p, q); }))
     return true;
   // No edge in the robot: each of its pieces lies inside or outside as a whole.
   const auto inside = [&](const pdg::ConvexPiece& piece) {
+    work_ += outline->runs();
     return outline->contains(t_ + pdg::rotate(rotation_, piece.inner_centre));
   };
   const auto& pieces = problem_.robot.pieces;
@@ -73,7 +76,8 @@ bool CollisionHint::hits_outline(const std::uint32_t polygon) {
 }
 
 // Does the line from p to q enter a piece of the robot? In the robot's frame.
-bool CollisionHint::crosses(const Vec2 p, const Vec2 q) const {
+bool CollisionHint::crosses(const Vec2 p, const Vec2 q) {
+  ++work_;
   if (std::max(p.x, q.x) <= low_.x || std::min(p.x, q.x) >= high_.x ||
       std::max(p.y, q.y) <= low_.y || std::min(p.y, q.y) >= high_.y)
     return false;
@@ -84,6 +88,7 @@ bool CollisionHint::crosses(const Vec2 p, const Vec2 q) const {
   const double height = dot(normal, a);
   const double length = pdg::norm(normal);
   const auto meets_piece = [&](const pdg::ConvexPiece& piece) {
+    ++work_;
     const double at = dot(normal, piece.centre) - height;
     if (std::abs(at) >= piece.radius * length) return false;
     bool left = false;
@@ -101,6 +106,7 @@ bool CollisionHint::crosses(const Vec2 p, const Vec2 q) const {
 void CollisionHint::place_hull() {
   low_ = {INFINITY, INFINITY};
   high_ = {-INFINITY, -INFINITY};
+  work_ += problem_.robot.pieces.back().edges.size();
   for (const pdg::Edge& edge : problem_.robot.pieces.back().edges) {
     const Vec2 p = pdg::rotate(rotation_, edge.vertex);
     low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
@@ -126,6 +132,7 @@ double CollisionHint::gap_to_bounds() const {
 
 bool CollisionHint::hits_piece(const pdg::ConvexPiece& obstacle) {
   const Robot& robot = problem_.robot;
+  work_ += robot.body_pieces();
   for (std::size_t i = 0; i < robot.body_pieces(); ++i) {
     const pdg::ConvexPiece& a = robot.pieces[i];
     const Vec2 apart = t_ + pdg::rotate(rotation_, a.centre) - obstacle.centre;
@@ -148,8 +155,9 @@ void CollisionHint::turn(const std::size_t piece) {
   }
 }
 
-bool CollisionHint::separated(const std::size_t piece, const pdg::ConvexPiece& b) const {
+bool CollisionHint::separated(const std::size_t piece, const pdg::ConvexPiece& b) {
   const std::vector<pdg::Edge>& edges = problem_.robot.pieces[piece].edges;
+  work_ += edges.size() * b.edges.size();
   const std::size_t first = problem_.robot.first_vertex[piece];
   const std::size_t end = first + edges.size();
   for (const pdg::Edge& edge : b.edges) {

@@ -27,6 +27,8 @@ class Outline {
     return false;
   }
 
+  [[nodiscard]] std::size_t runs() const { return runs_.size(); }
+
   // By the parity of crossings to the right.
   [[nodiscard]] bool contains(Vec2 point) const;
 

@@ -13,8 +13,10 @@ namespace {
 // A try with a disc instead of the robot may cost no more cells than this.
 constexpr std::uint64_t kDiscCells = 4000;
 
-// Configurations that the first try by trees may ask about: some tenths of a millisecond.
+// Configurations that the first try by trees may ask about, some tenths of a millisecond; and work
+// that it may cost where robot and obstacles have many edges, in units of CollisionHint::work.
 constexpr std::int64_t kProbeChecks = 2500;
+constexpr std::uint64_t kProbeWork = 2'000'000;
 // How far apart they are at first, relative to the robot's reach, and after a path that could not
 // be certified.
 constexpr double kProbeSpacing = 0.25;
@@ -77,14 +79,14 @@ bool Planner::ends_not_free(Query& query) {
 // Straight, then by two legs: turn and move, in either order.
 bool Planner::cheap_move(Query& query) {
   const Stopwatch watch(statistics_.seconds.path);
-  const Terminator never = [] { return false; };
+  const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
   const Configuration& s = query.start;
   Configuration g = query.goal;
   g.theta = problem_.rotation ? nearest_turn(g.theta, s.theta) : s.theta;
   const std::vector<std::vector<Configuration>> tries = {
       {s, g}, {s, {s.x, s.y, g.theta}, g}, {s, {g.x, g.y, s.theta}, g}};
   for (const std::vector<Configuration>& path : tries)
-    if (!first_uncertified(problem_, *segments_, path, never))
+    if (!first_uncertified(problem_, *segments_, path, stop))
       return conclude_path(query, path, path.size() == 2 ? "straight move" : "two-leg move");
   return false;
 }
@@ -99,7 +101,7 @@ bool Planner::conclude_path(Query& query, std::vector<Configuration> path, const
 bool Planner::probe(Query& query) {
   const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
   CollisionHint hint(problem_, *tree_);
-  RrtConnect trees(problem_, hint, kProbeChecks);
+  RrtConnect trees(problem_, hint, kProbeChecks, kProbeWork);
   for (double spacing = kProbeSpacing * problem_.robot.reach;; spacing *= kFinerSpacing) {
     std::vector<Configuration> path;
     {

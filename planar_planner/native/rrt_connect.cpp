@@ -40,7 +40,7 @@ std::vector<Configuration> RrtConnect::find(const Configuration& start, const Co
   Tree from_goal{{wrapped(pose_of(problem_, goal)), 0}};
   theta_ = from_start[0].pose.theta;
   if (!problem_.rotation) from_goal[0].pose.theta = theta_;
-  for (bool forward = true; budget_ > 0 && !stop(); forward = !forward) {
+  for (bool forward = true; !spent() && !stop(); forward = !forward) {
     Tree& here = forward ? from_start : from_goal;
     Tree& there = forward ? from_goal : from_start;
     if (extend(here, sample()) == Advance::kTrapped) continue;
@@ -84,7 +84,11 @@ std::uint32_t RrtConnect::nearest(const Tree& tree, const Pose& target) {
 
 // Asks about the far end, then ever finer between, but no finer where the gap covers the rest.
 bool RrtConnect::passes(const Pose& from, const Pose& to) {
-  const auto gap = [&](const Pose& pose) { return --budget_ >= 0 ? hint_.gap(pose) : kCollides; };
+  const auto gap = [&](const Pose& pose) {
+    if (spent()) return kCollides;
+    --budget_;
+    return hint_.gap(pose);
+  };
   if (gap(to) < 0.0) return false;
   const double farthest = pdg::norm(to.t - from.t) +
                           problem_.robot.reach * std::abs(turn_between(from.theta, to.theta));

@@ -13,9 +13,10 @@ namespace planner {
 
 class RrtConnect {
  public:
-  // May ask `hint` about so many configurations.
-  RrtConnect(const Problem& problem, CollisionHint& hint, std::int64_t budget)
-      : problem_(problem), hint_(hint), budget_(budget) {}
+  // May ask `hint` about so many configurations, as long as that is not more work than this.
+  RrtConnect(const Problem& problem, CollisionHint& hint, std::int64_t budget,
+             std::uint64_t most_work = UINT64_MAX)
+      : problem_(problem), hint_(hint), budget_(budget), most_work_(most_work) {}
 
   // Waypoints from start to goal, theta running on; asked about at most `spacing` apart (planner
   // units, a turn counting as its longest way). Empty if the budget is spent or the terminator
@@ -29,6 +30,7 @@ class RrtConnect {
     std::uint32_t parent = 0;
   };
   using Tree = std::vector<Node>;
+  [[nodiscard]] bool spent() const { return budget_ <= 0 || hint_.work() >= most_work_; }
   enum class Advance : std::uint8_t { kTrapped, kAdvanced, kReached };
 
   Advance extend(Tree& tree, const Pose& target);
@@ -47,6 +49,7 @@ class RrtConnect {
   const Problem& problem_;
   CollisionHint& hint_;
   std::int64_t budget_;
+  std::uint64_t most_work_;
   double spacing_ = 0.0;
   double range_ = 0.0;  // longest edge
   double theta_ = 0.0;  // of every configuration where the robot cannot turn
