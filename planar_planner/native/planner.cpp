@@ -18,9 +18,10 @@ constexpr std::uint64_t kDiscCells = 4000;
 constexpr std::int64_t kProbeChecks = 2500;
 constexpr std::uint64_t kProbeWork = 2'000'000;
 // How far apart they are at first, relative to the robot's reach, and after a path that could not
-// be certified.
+// be certified; and how many paths are given a chance.
 constexpr double kProbeSpacing = 0.25;
 constexpr double kFinerSpacing = 0.25;
+constexpr int kProbePaths = 4;
 
 }  // namespace
 
@@ -102,7 +103,8 @@ bool Planner::probe(Query& query) {
   const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
   CollisionHint hint(problem_, *tree_);
   RrtConnect trees(problem_, hint, kProbeChecks, kProbeWork);
-  for (double spacing = kProbeSpacing * problem_.robot.reach;; spacing *= kFinerSpacing) {
+  double spacing = kProbeSpacing * problem_.robot.reach;
+  for (int paths = 0; paths < kProbePaths; ++paths, spacing *= kFinerSpacing) {
     std::vector<Configuration> path;
     {
       const Stopwatch watch(statistics_.seconds.probe);
@@ -114,6 +116,7 @@ bool Planner::probe(Query& query) {
     if (!certify_shortened(problem_, *tree_, *segments_, path, stop))
       return conclude_path(query, std::move(path), "RRT-Connect");
   }
+  return false;
 }
 
 bool Planner::disc_answer(Query& query) {

@@ -11,8 +11,8 @@
 
 namespace planner {
 
-// Of the random numbers: of 1 to 40, one of those that solve most of the shipped scenes soon. Another
-// would do as well elsewhere.
+// Of the random numbers: of 1 to 40, one of those that solve most of the shipped scenes soon.
+// Another would do as well elsewhere.
 inline constexpr std::uint64_t kSeed = 37;
 
 class RrtConnect {
@@ -34,9 +34,9 @@ class RrtConnect {
     std::uint32_t parent = 0;
   };
   using Tree = std::vector<Node>;
-  [[nodiscard]] bool spent() const { return budget_ <= 0 || hint_.work() >= most_work_; }
   enum class Advance : std::uint8_t { kTrapped, kAdvanced, kReached };
 
+  [[nodiscard]] bool spent() const { return budget_ <= 0 || hint_.work() >= most_work_; }
   Advance extend(Tree& tree, const Pose& target);
   Advance connect(Tree& tree, const Pose& target);
   Advance step(Tree& tree, std::uint32_t from, const Pose& target);
