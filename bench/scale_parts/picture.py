@@ -8,11 +8,13 @@ from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from scale_parts.repeated import Repeated
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")  # Okabe and Ito
 Points = Sequence[tuple[float, Mapping[str, Any]]]
+HEADROOM = 5.0  # above the curves, for the legend
 PANELS = (  # title, families by the beginning of their names
     ("number of obstacles", ("fixed channel", "growing channel", "field", "irrelevant")),
     ("robot's pieces", ("robot",)),
@@ -36,7 +38,9 @@ def draw(found: Mapping[str, Points], repeats: Sequence[Repeated], file: Path) -
             _draw_growth(axes, {name: found[name] for name in names}, quantity)
             axes.set_ylabel(label)
             axes.set_xlabel(title)
-        grid[0][column].legend(frameon=False, fontsize=7)
+        low, high = grid[0][column].get_ylim()
+        grid[0][column].set_ylim(low, HEADROOM * high)
+        grid[0][column].legend(frameon=False, fontsize=7, loc="upper left", ncols=2)
     _draw_repeated(grid[0][-1], repeats, [lambda r: r.kept, lambda r: r.fresh])
     grid[0][-1].set_ylabel("time of a query (ms)\nsolid: kept planner, dotted: fresh ones")
     _draw_cells(grid[1][-1], repeats)
@@ -59,6 +63,8 @@ def _draw_growth(
             color=colour,
             label=name,
         )
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.yaxis.set_minor_formatter(NullFormatter())
     _plain(axes)
 
 
