@@ -1,6 +1,6 @@
 """Builds and runs the programs of ``bench/native/``: measurements inside the cores.
 
-The build folder is kept between runs in the user's cache folder, or is ``PLANNER_BENCH_BUILD``.
+The build folder is kept between runs: ``build/bench`` of the checkout, or ``PLANNER_BENCH_BUILD``.
 """
 
 from __future__ import annotations
@@ -28,11 +28,7 @@ class NativeError(RuntimeError):
 
 def build_folder() -> Path:
     """Return where the programs are built."""
-    named = os.environ.get("PLANNER_BENCH_BUILD")
-    if named:
-        return Path(named)
-    cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
-    return cache / "planar-planner-bench"
+    return Path(os.environ.get("PLANNER_BENCH_BUILD") or ROOT / "build" / "bench")
 
 
 def build(target: str) -> Path:
