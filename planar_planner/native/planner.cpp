@@ -103,13 +103,14 @@ bool Planner::probe(Query& query) {
   const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
   CollisionHint hint(problem_, *tree_);
   RrtConnect trees(problem_, hint, kProbeChecks, kProbeWork);
+  const std::uint64_t by_discs = statistics_.probe_checks;
   double spacing = kProbeSpacing * problem_.robot.reach;
   for (int paths = 0; paths < kProbePaths; ++paths, spacing *= kFinerSpacing) {
     std::vector<Configuration> path;
     {
       const Stopwatch watch(statistics_.seconds.probe);
       path = trees.find(query.start, query.goal, spacing, stop);
-      statistics_.probe_checks = hint.calls();
+      statistics_.probe_checks = by_discs + hint.calls();
     }
     if (path.empty()) return false;
     const Stopwatch watch(statistics_.seconds.path);

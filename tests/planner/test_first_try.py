@@ -1,5 +1,8 @@
 """The first try by trees: where it answers, and that it changes no verdict."""
 
+import math
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -9,6 +12,7 @@ from planar_planner.core import ask, make_core
 from planar_planner.problem import make_problem
 
 BY_TREES = "RRT-Connect"
+MOST_CHECKS = 2500  # of one first try
 SCENES = manifest()
 ROOMY = ("gear-wide", "window", "slide", "courtyard", "fence")
 
@@ -38,10 +42,36 @@ def test_answers_where_there_is_room(name: str) -> None:
 def test_is_short_where_there_is_none() -> None:
     result = solve(load_scene("corner-too-long"))
     assert result.verdict == "no_path"
-    assert 0 < result.stats["probe_checks"] < 5000
+    assert 0 < result.stats["probe_checks"] <= MOST_CHECKS
 
 
 def test_is_the_same_every_time() -> None:
     first, second = (solve(load_scene("fence")) for _ in range(2))
     assert np.array_equal(first.path, second.path)
     assert first.stats["probe_checks"] == second.stats["probe_checks"]
+
+
+def dodecagon_before_a_slot(width: float) -> dict[str, Any]:
+    turns = [k / 12 * math.tau for k in range(12)]
+    ring = [[math.cos(turn), math.sin(turn)] for turn in turns]
+    walls = [(-5.0, -width / 2), (width / 2, 5.0)]
+    return {
+        "format": "planar-planner/scene",
+        "version": 1,
+        "workspace": {"box": [-6, -5, 6, 5]},
+        "robot": {"type": "Polygon", "coordinates": [[*ring, ring[0]]]},
+        "obstacles": [
+            {"type": "Polygon", "coordinates": [[[-1, a], [1, a], [1, b], [-1, b], [-1, a]]]}
+            for a, b in walls
+        ],
+        "start": [-4, 0.3, 0],
+        "goal": [4, 0, 0],
+    }
+
+
+def test_counts_what_the_discs_asked_too() -> None:
+    # Wider than the disc inside the robot, narrower than the one around it: neither disc decides.
+    result = solve(dodecagon_before_a_slot(1.94))
+    assert result.verdict == "path"
+    assert result.stats["decided_by"] == "channel"
+    assert result.stats["probe_checks"] > MOST_CHECKS
