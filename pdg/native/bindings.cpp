@@ -17,82 +17,20 @@
 #include <utility>
 #include <vector>
 
-#include "c_obstacle_query.hpp"
+#include "bindings_arrays.hpp"
+#include "bindings_subjects.hpp"
 #include "decompose.hpp"
 #include "displacement.hpp"
-#include "generalized_depth.hpp"
 #include "motion_bound.hpp"
 #include "piece_set.hpp"
 #include "predicates.hpp"
-#include "translational_depth.hpp"
 #include "validity.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
 
+namespace pdg::python {
 namespace {
-
-using Coords = nb::ndarray<const double, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
-using Starts = nb::ndarray<const std::uint32_t, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
-using CoordsOut = nb::ndarray<nb::numpy, double, nb::shape<-1, 2>>;
-using StartsOut = nb::ndarray<nb::numpy, std::uint32_t, nb::shape<-1>>;
-using Pair = std::pair<double, double>;
-using Triple = std::tuple<double, double, double>;
-using DepthTuple = std::tuple<int, double, Pair, Pair, Pair>;
-
-pdg::Pose to_pose(const Triple& q) {
-  return {{std::get<0>(q), std::get<1>(q)}, std::get<2>(q)};
-}
-
-pdg::HalfExtents to_half_extents(const Triple& h) {
-  return {std::get<0>(h), std::get<1>(h), std::get<2>(h)};
-}
-
-Pair to_pair(const pdg::Vec2 v) {
-  return {v.x, v.y};
-}
-
-DepthTuple to_tuple(const pdg::TranslationalDepth& d) {
-  return {static_cast<int>(d.state), d.depth, to_pair(d.direction), to_pair(d.on_a),
-          to_pair(d.on_b)};
-}
-
-// Ring r is coords[ring_starts[r] : ring_starts[r + 1]], polygon p has the rings
-// polygon_starts[p] : polygon_starts[p + 1], the outer one first.
-std::vector<pdg::Polygon> to_polygons(const Coords& coords, const Starts& ring_starts,
-                                      const Starts& polygon_starts) {
-  const auto monotone_to = [](const Starts& starts, const std::size_t end) {
-    if (starts.size() == 0 || starts(0) != 0 || starts(starts.size() - 1) != end) return false;
-    for (std::size_t i = 1; i < starts.size(); ++i) {
-      if (starts(i) < starts(i - 1)) return false;
-    }
-    return true;
-  };
-  if (!monotone_to(ring_starts, coords.shape(0)) ||
-      !monotone_to(polygon_starts, ring_starts.size() - 1)) {
-    throw nb::value_error("ring or polygon starts do not match the coordinates");
-  }
-  std::vector<pdg::Polygon> polygons(polygon_starts.size() - 1);
-  for (std::size_t p = 0; p < polygons.size(); ++p) {
-    for (std::size_t r = polygon_starts(p); r < polygon_starts(p + 1); ++r) {
-      pdg::Ring& ring = polygons[p].rings.emplace_back();
-      for (std::size_t i = ring_starts(r); i < ring_starts(r + 1); ++i) {
-        ring.push_back({coords(i, 0), coords(i, 1)});
-      }
-    }
-  }
-  return polygons;
-}
-
-template <class Value, class Array>
-Array to_array(std::vector<Value>&& values, const std::initializer_list<std::size_t> shape) {
-  auto owned = std::make_unique<std::vector<Value>>(std::move(values));
-  Value* data = owned->data();
-  const nb::capsule owner(owned.release(), [](void* p) noexcept {
-    const std::unique_ptr<std::vector<Value>> release(static_cast<std::vector<Value>*>(p));
-  });
-  return Array(data, shape, owner);
-}
 
 void bind_piece_set(const nb::module_& m) {
   nb::class_<pdg::PieceSet>(m, "PieceSet", "Convex pieces of one body; immutable.")
@@ -133,35 +71,6 @@ void bind_piece_set(const nb::module_& m) {
         return std::pair{to_array<double, CoordsOut>(std::move(coords), {rows, 2}),
                          to_array<std::uint32_t, StartsOut>(std::move(starts), {count})};
       });
-}
-
-void bind_depths(nb::module_& m) {
-  m.def(
-      "translational_depth",
-      [](const pdg::PieceSet& a, const pdg::PieceSet& b, const Triple& pose) {
-        if (a.polygons.size() != 1 || b.polygons.size() != 1) {
-          throw nb::value_error("translational_depth needs one convex piece each");
-        }
-        return to_tuple(
-            pdg::translational_depth(pdg::placed(a.polygons[0], to_pose(pose)), b.polygons[0]));
-      },
-      "a"_a, "b"_a, "pose"_a);
-  m.def(
-      "generalized_depth_lower_bound",
-      [](const pdg::PieceSet& a, const pdg::PieceSet& b, const Triple& pose) {
-        const pdg::DepthLowerBound bound = pdg::generalized_depth_lower_bound(a, b, to_pose(pose));
-        return std::tuple{bound.depth, bound.piece_a, bound.piece_b, to_tuple(bound.pair)};
-      },
-      "a"_a, "b"_a, "pose"_a);
-  m.def(
-      "c_obstacle_query",
-      [](const pdg::PieceSet& a, const pdg::PieceSet& b, const Triple& centre, const Triple& half,
-         const int method) {
-        const pdg::CObstacleVerdict verdict = pdg::c_obstacle_query(
-            a, b, {to_pose(centre), to_half_extents(half)}, static_cast<pdg::QueryMethod>(method));
-        return std::tuple{verdict.full, verdict.piece_a, verdict.piece_b, verdict.margin};
-      },
-      "a"_a, "b"_a, "centre"_a, "half"_a, "method"_a);
 }
 
 void bind_motions(nb::module_& m) {
@@ -218,12 +127,13 @@ void bind_validity(nb::module_& m) {
 }
 
 }  // namespace
+}  // namespace pdg::python
 
 NB_MODULE(_core, m) {  // NOLINT(bugprone-signed-bitwise): inside the macro
   m.attr("MIN_COORDINATE") = pdg::kMinCoordinate;
   m.attr("MAX_COORDINATE") = pdg::kMaxCoordinate;
-  bind_piece_set(m);
-  bind_depths(m);
-  bind_motions(m);
-  bind_validity(m);
+  pdg::python::bind_piece_set(m);
+  pdg::python::bind_depths(m);
+  pdg::python::bind_motions(m);
+  pdg::python::bind_validity(m);
 }

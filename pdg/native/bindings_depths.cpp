@@ -1,0 +1,48 @@
+// Depths and the C-obstacle query for Python.
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/tuple.h>
+
+#include <tuple>
+
+#include "bindings_arrays.hpp"
+#include "bindings_subjects.hpp"
+#include "c_obstacle_query.hpp"
+#include "generalized_depth.hpp"
+#include "translational_depth.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace pdg::python {
+
+void bind_depths(nb::module_& m) {
+  m.def(
+      "translational_depth",
+      [](const pdg::PieceSet& a, const pdg::PieceSet& b, const Triple& pose) {
+        if (a.polygons.size() != 1 || b.polygons.size() != 1) {
+          throw nb::value_error("translational_depth needs one convex piece each");
+        }
+        return to_tuple(
+            pdg::translational_depth(pdg::placed(a.polygons[0], to_pose(pose)), b.polygons[0]));
+      },
+      "a"_a, "b"_a, "pose"_a);
+  m.def(
+      "generalized_depth_lower_bound",
+      [](const pdg::PieceSet& a, const pdg::PieceSet& b, const Triple& pose) {
+        const pdg::DepthLowerBound bound = pdg::generalized_depth_lower_bound(a, b, to_pose(pose));
+        return std::tuple{bound.depth, bound.piece_a, bound.piece_b, to_tuple(bound.pair)};
+      },
+      "a"_a, "b"_a, "pose"_a);
+  m.def(
+      "c_obstacle_query",
+      [](const pdg::PieceSet& a, const pdg::PieceSet& b, const Triple& centre, const Triple& half,
+         const int method) {
+        const pdg::CObstacleVerdict verdict = pdg::c_obstacle_query(
+            a, b, {to_pose(centre), to_half_extents(half)}, static_cast<pdg::QueryMethod>(method));
+        return std::tuple{verdict.full, verdict.piece_a, verdict.piece_b, verdict.margin};
+      },
+      "a"_a, "b"_a, "centre"_a, "half"_a, "method"_a);
+}
+
+}  // namespace pdg::python

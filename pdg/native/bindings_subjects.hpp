@@ -1,0 +1,10 @@
+// One file of bindings a subject; bindings.cpp calls each once.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace pdg::python {
+
+void bind_depths(nanobind::module_& m);
+
+}  // namespace pdg::python
