@@ -4,6 +4,7 @@ Convex pieces, translational depth, lower bounds of the generalized depth, motio
 C-obstacle query. Knows nothing of planning.
 """
 
+from pdg import sets
 from pdg.depth import (
     DepthLowerBound,
     TranslationalDepth,
@@ -28,5 +29,6 @@ __all__ = [
     "generalized_depth_lower_bound",
     "generalized_distance_bounds",
     "motion_bounds",
+    "sets",
     "translational_depth",
 ]

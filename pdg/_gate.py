@@ -15,6 +15,10 @@ if TYPE_CHECKING:
 
 Triple = tuple[float, float, float]
 
+# Squares and products of a few such numbers neither over- nor underflow.
+MIN_SET_COORDINATE = 1e-60
+MAX_SET_COORDINATE = 1e60
+
 
 def ring(value: object, name: str) -> NDArray[np.float64]:
     """Return the ring as an (n, 2) array without a repeated last or consecutive vertex."""
@@ -91,6 +95,28 @@ def length(value: object, name: str) -> float:
     if number < 0:
         raise PdgError("must not be negative", name, value=float(number))
     return float(number)
+
+
+def coordinates(
+    value: object, name: str, axes: int, smallest: float = MIN_SET_COORDINATE
+) -> NDArray[np.float64]:
+    """Return a contiguous array, not empty, with `axes` axes, of a convex set's numbers.
+
+    Those are 0 or between `smallest` and `MAX_SET_COORDINATE` in magnitude.
+    """
+    numbers = _numbers(value, name)
+    if numbers.ndim != axes or numbers.size == 0:
+        kind = {1: "a vector (n,)", 2: "a matrix (m, n)"}[axes]
+        raise PdgError(f"expected {kind}, not empty", name, value=numbers.shape)
+    magnitude = np.abs(numbers)
+    sane = (magnitude == 0) | ((magnitude >= smallest) & (magnitude <= MAX_SET_COORDINATE))
+    if not sane.all():
+        row = int(np.argwhere(~sane)[0][0])
+        problem = (
+            f"must be finite, and 0 or between {smallest:g} and {MAX_SET_COORDINATE:g} in magnitude"
+        )
+        raise PdgError(problem, name, row, numbers[row].tolist())
+    return np.ascontiguousarray(numbers)
 
 
 def _numbers(value: object, name: str) -> NDArray[np.float64]:

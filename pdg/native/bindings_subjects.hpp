@@ -6,5 +6,6 @@
 namespace pdg::python {
 
 void bind_depths(nanobind::module_& m);
+void bind_sets(nanobind::module_& m);
 
 }  // namespace pdg::python

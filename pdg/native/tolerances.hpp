@@ -83,4 +83,10 @@ inline constexpr double kStretchUnits = 8.0 * PDG_MARGIN_SCALE;
 inline constexpr double kDepthErrorUnits = 12.0;
 inline constexpr double kDisplacementErrorUnits = 16.0;
 
+// Rounding of a support point and a support value, in units of u times the set's magnitude, beside
+// 2 for each of its terms: products and sums over the terms (terms + 1, twice for a matrix and its
+// transpose), square root of a sum of squares (terms / 2 + 2), quotient, centre (2). docs/
+// penetration-distance.md, "Rounding".
+inline constexpr double kSupportErrorUnits = 10.0 * PDG_MARGIN_SCALE;
+
 }  // namespace pdg

@@ -1,0 +1,353 @@
+"""Compact convex sets of R^n by support function and support mapping.
+
+A set is known by h(u) = max of u·x over the set and by s(u), a point that attains it ([GFE] Eq.
+17). Ready-made sets are compiled; any object with `dimension` and `support` serves as well, but
+each question then costs a call into Python.
+
+Source: [GFE] Zheng, Yamane, *Evaluation of Grasp Force Efficiency Considering Hand Configuration
+and Using Novel Generalized Penetration Distance Algorithm*, ICRA 2013.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
+
+import numpy as np
+
+from pdg import _core, _gate
+from pdg.errors import PdgError
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+
+@runtime_checkable
+class SupportSet(Protocol):
+    """What a caller's own convex set must have.
+
+    Attributes
+    ----------
+    dimension : int
+        n >= 1.
+    """
+
+    @property
+    def dimension(self) -> int:
+        """The number of coordinates, n."""
+        ...
+
+    def support(self, u: NDArray[np.float64], /) -> tuple[float, ArrayLike]:
+        """Return h(u) and a point s(u) of shape (n,) of the set with u·s(u) = h(u)."""
+        ...
+
+
+class ConvexSet:
+    """A compiled convex set; immutable. Made by the classes below.
+
+    Attributes
+    ----------
+    core : object
+        The core's set. Private to the library.
+    """
+
+    __slots__ = ("core",)
+
+    def __init__(self, core: _core.ConvexSet) -> None:
+        self.core = core
+
+    @property
+    def dimension(self) -> int:
+        """The number of coordinates, n."""
+        return self.core.dimension
+
+    def support(self, u: ArrayLike) -> tuple[float, NDArray[np.float64]]:
+        """Return h(u) and s(u), of shape (n,), for a direction u of any length."""
+        values, points = self.supports(_gate.coordinates(u, "u", 1, 0.0)[np.newaxis])
+        return float(values[0]), points[0]
+
+    def supports(self, directions: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return h, of shape (m,), and s, of shape (m, n), for m directions at once.
+
+        Raises
+        ------
+        PdgError
+            For directions that are not finite numbers of shape (m, n).
+        """
+        u = _gate.coordinates(directions, "directions", 2, 0.0)
+        if u.shape[1] != self.dimension:
+            raise PdgError(f"expected {self.dimension} coordinates", "directions", value=u.shape)
+        return self.core.supports(u)
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}(dimension={self.dimension})"
+
+
+class Ellipsoid(ConvexSet):
+    """{centre + axes x : |x| <= 1}, with h(u) = centre·u + |axesᵀ u|.
+
+    Parameters
+    ----------
+    axes : array_like of shape (n,) or (n, k)
+        Semi-axes along the coordinates, or any matrix. With k < n, or with semi-axes of length 0,
+        the ellipsoid is flat: the base of a second-order cone.
+    centre : array_like of shape (n,), optional
+        The origin by default.
+
+    Raises
+    ------
+    PdgError
+        For numbers that are not finite or do not fit together.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, axes: ArrayLike, centre: ArrayLike | None = None) -> None:
+        if np.ndim(axes) == 1:
+            radii = _gate.coordinates(axes, "axes", 1)
+            super().__init__(_core.axis_ellipsoid(radii, _centre(centre, len(radii))))
+        else:
+            matrix = _gate.coordinates(axes, "axes", 2)
+            super().__init__(_core.ellipsoid(matrix, _centre(centre, len(matrix))))
+
+
+class Ball(Ellipsoid):
+    """{x : |x - centre| <= radius}, with h(u) = centre·u + radius |u|.
+
+    Parameters
+    ----------
+    dimension : int
+        n.
+    radius : float, optional
+    centre : array_like of shape (n,), optional
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self, dimension: int, radius: float = 1.0, centre: ArrayLike | None = None
+    ) -> None:
+        super().__init__(_repeated(dimension, radius, "radius"), centre)
+
+
+class Box(ConvexSet):
+    """{centre + x : |x_i| <= half_extents_i}, with h(u) = centre·u + Σ half_extents_i |u_i|.
+
+    Parameters
+    ----------
+    half_extents : array_like of shape (n,)
+    centre : array_like of shape (n,), optional
+    """
+
+    __slots__ = ()
+
+    def __init__(self, half_extents: ArrayLike, centre: ArrayLike | None = None) -> None:
+        extents = _not_negative(half_extents, "half_extents")
+        super().__init__(_core.box(extents, _centre(centre, len(extents))))
+
+
+class CrossPolytope(ConvexSet):
+    """The convex hull of centre ± radii_i e_i, with h(u) = centre·u + max radii_i |u_i|.
+
+    Parameters
+    ----------
+    radii : array_like of shape (n,)
+    centre : array_like of shape (n,), optional
+    """
+
+    __slots__ = ()
+
+    def __init__(self, radii: ArrayLike, centre: ArrayLike | None = None) -> None:
+        extents = _not_negative(radii, "radii")
+        super().__init__(_core.cross_polytope(extents, _centre(centre, len(extents))))
+
+
+class PointSet(ConvexSet):
+    """The convex hull of points, with h(u) = max of p·u.
+
+    Parameters
+    ----------
+    points : array_like of shape (m, n)
+    """
+
+    __slots__ = ()
+
+    def __init__(self, points: ArrayLike) -> None:
+        super().__init__(_core.point_set(_gate.coordinates(points, "points", 2)))
+
+
+class Segment(PointSet):
+    """The segment between two points of shape (n,)."""
+
+    __slots__ = ()
+
+    def __init__(self, start: ArrayLike, end: ArrayLike) -> None:
+        p = _gate.coordinates(start, "start", 1)
+        super().__init__(np.stack([p, _vector(end, "end", len(p))]))
+
+
+class MinkowskiSum(ConvexSet):
+    """{x_1 + ... + x_m : x_i in A_i}, with h = Σ h_i.
+
+    Parameters
+    ----------
+    sets : iterable of ConvexSet or SupportSet
+        At least one, all of one dimension.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, sets: Iterable[SupportSet]) -> None:
+        super().__init__(_core.minkowski_sum(_cores(sets)))
+
+
+class UnionHull(ConvexSet):
+    """The convex hull of a union, with h = max h_i.
+
+    Parameters
+    ----------
+    sets : iterable of ConvexSet or SupportSet
+        At least one, all of one dimension.
+    """
+
+    __slots__ = ()
+
+    def __init__(self, sets: Iterable[SupportSet]) -> None:
+        super().__init__(_core.union_hull(_cores(sets)))
+
+
+class AffineImage(ConvexSet):
+    """{matrix x + offset : x in A}, with h(u) = h_A(matrixᵀ u) + offset·u.
+
+    Parameters
+    ----------
+    matrix : array_like of shape (m, n)
+    inner : ConvexSet or SupportSet
+        A, of dimension n.
+    offset : array_like of shape (m,), optional
+        0 by default.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self, matrix: ArrayLike, inner: SupportSet, offset: ArrayLike | None = None
+    ) -> None:
+        m = _gate.coordinates(matrix, "matrix", 2)
+        core = as_convex_set(inner, "inner").core
+        if m.shape[1] != core.dimension:
+            problem = f"expected {core.dimension} columns, the set's dimension"
+            raise PdgError(problem, "matrix", value=m.shape)
+        super().__init__(_core.affine_image(m, _centre(offset, len(m), "offset"), core))
+
+
+class Scaled(ConvexSet):
+    """{factor x : x in A}; a factor of -1 reflects A in the origin.
+
+    Parameters
+    ----------
+    factor : float
+    inner : ConvexSet or SupportSet
+    """
+
+    __slots__ = ()
+
+    def __init__(self, factor: float, inner: SupportSet) -> None:
+        (number,) = _gate.coordinates([factor], "factor", 1)
+        super().__init__(_core.scaled(float(number), as_convex_set(inner, "inner").core))
+
+
+def as_convex_set(value: Any, name: str, accuracy: float = 1e-12) -> ConvexSet:
+    """Return the compiled set that `value` is, or one that asks `value` through its protocol.
+
+    Parameters
+    ----------
+    value : ConvexSet or SupportSet
+    name : str
+        The argument's name, for error messages.
+    accuracy : float, optional
+        What a `SupportSet` promises: points and values are right to this times the set's extent
+        along each coordinate. Bounds built on the set rely on it.
+
+    Raises
+    ------
+    PdgError
+        If `value` is neither; later, during use, if its answers are no numbers of the right shape
+        or break u·s(u) = h(u).
+    """
+    if isinstance(value, ConvexSet):
+        return value
+    if not isinstance(value, SupportSet):
+        raise PdgError("expected a convex set: .dimension and .support(u)", name, value=value)
+    dimension = _dimension(value.dimension, f"{name}.dimension")
+    asked = _Asked(value, name, accuracy)
+    axes = np.eye(dimension)
+    magnitude = [max(abs(asked(u)[0]), abs(asked(-u)[0])) for u in axes]
+    asked.magnitude = np.array(magnitude)
+    return ConvexSet(_core.python_set(asked, magnitude, [accuracy * m for m in magnitude]))
+
+
+class _Asked:
+    """A caller's set, each of its answers checked."""
+
+    def __init__(self, inner: SupportSet, name: str, accuracy: float) -> None:
+        self.inner = inner
+        self.name = f"{name}.support(u)"
+        self.accuracy = accuracy
+        self.magnitude: NDArray[np.float64] | None = None
+
+    def __call__(self, u: NDArray[np.float64]) -> tuple[float, NDArray[np.float64]]:
+        answer = self.inner.support(u)
+        if not isinstance(answer, tuple) or len(answer) != 2:
+            raise PdgError("must return a value and a point", self.name, value=answer)
+        value = float(_gate.coordinates([answer[0]], self.name, 1, 0.0)[0])
+        point = _vector(answer[1], self.name, len(u), 0.0)
+        if self.magnitude is not None:
+            # The point, the value and this product: three times the promised accuracy at most.
+            slack = 3 * self.accuracy * float(np.abs(u) @ self.magnitude)
+            if abs(float(u @ point) - value) > slack:
+                problem = "u·s(u) differs from h(u) by more than the accuracy promised"
+                raise PdgError(problem, self.name, value=(value, float(u @ point)))
+        return value, point
+
+
+def _cores(sets: Iterable[SupportSet]) -> list[_core.ConvexSet]:
+    cores = [as_convex_set(inner, f"sets[{i}]").core for i, inner in enumerate(sets)]
+    if not cores:
+        raise PdgError("at least one set is needed", "sets")
+    for i, core in enumerate(cores):
+        if core.dimension != cores[0].dimension:
+            problem = f"expected dimension {cores[0].dimension}, the first set's"
+            raise PdgError(problem, "sets", i, core.dimension)
+    return cores
+
+
+def _dimension(value: object, name: str) -> int:
+    if not isinstance(value, int | np.integer) or value < 1:
+        raise PdgError("expected an integer >= 1", name, value=value)
+    return int(value)
+
+
+def _repeated(dimension: int, radius: float, name: str) -> NDArray[np.float64]:
+    return np.repeat(_not_negative([radius], name), _dimension(dimension, "dimension"))
+
+
+def _not_negative(value: ArrayLike, name: str) -> NDArray[np.float64]:
+    numbers = _gate.coordinates(value, name, 1)
+    if (numbers < 0).any():
+        i = int(np.flatnonzero(numbers < 0)[0])
+        raise PdgError("must not be negative", name, i, float(numbers[i]))
+    return numbers
+
+
+def _vector(
+    value: ArrayLike, name: str, size: int, smallest: float = _gate.MIN_SET_COORDINATE
+) -> NDArray[np.float64]:
+    numbers = _gate.coordinates(value, name, 1, smallest)
+    if len(numbers) != size:
+        raise PdgError(f"expected {size} numbers", name, value=numbers.shape)
+    return numbers
+
+
+def _centre(value: ArrayLike | None, size: int, name: str = "centre") -> NDArray[np.float64]:
+    return np.zeros(size) if value is None else _vector(value, name, size)
