@@ -5,24 +5,28 @@ C-obstacle query. Knows nothing of planning.
 """
 
 from pdg import sets
-from pdg.depth import (
-    DepthLowerBound,
-    TranslationalDepth,
-    generalized_depth_lower_bound,
-    translational_depth,
-)
+from pdg.depth import generalized_depth_lower_bound, translational_depth
 from pdg.errors import PdgError
 from pdg.motion import MotionBounds, displacement, generalized_distance_bounds, motion_bounds
 from pdg.pieces import ConvexPieces, convex_pieces
-from pdg.query import CObstacleVerdict, c_obstacle_query
+from pdg.query import CObstacleVerdict, CObstacleVerdicts, c_obstacle_query
+from pdg.results import (
+    DepthLowerBound,
+    DepthLowerBounds,
+    TranslationalDepth,
+    TranslationalDepths,
+)
 
 __all__ = [
     "CObstacleVerdict",
+    "CObstacleVerdicts",
     "ConvexPieces",
     "DepthLowerBound",
+    "DepthLowerBounds",
     "MotionBounds",
     "PdgError",
     "TranslationalDepth",
+    "TranslationalDepths",
     "c_obstacle_query",
     "convex_pieces",
     "displacement",

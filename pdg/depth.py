@@ -5,60 +5,38 @@ Source: [PDG] Zhang, Kim, Varadhan, Manocha, *Generalized Penetration Depth Comp
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, Literal
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
 
 from pdg import _core, _gate
+from pdg.errors import PdgError
 from pdg.pieces import convex_pieces, one_convex_piece
+from pdg.results import (
+    DepthLowerBound,
+    DepthLowerBounds,
+    TranslationalDepth,
+    TranslationalDepths,
+    many_depths,
+    one_depth,
+)
 
-Point = tuple[float, float]
-PairState = Literal["apart", "touching", "overlap"]
-_STATES: tuple[PairState, PairState, PairState] = ("apart", "touching", "overlap")
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
-
-@dataclass(frozen=True, slots=True)
-class TranslationalDepth:
-    """PD^t of two convex bodies with its witness, in B's frame and unit of length.
-
-    Attributes
-    ----------
-    state : {"apart", "touching", "overlap"}
-        Decided exactly for the vertices as placed in doubles.
-    depth : float
-        Overlap: PD^t; touching: 0; apart: minus the distance.
-    direction : tuple of float
-        Unit vector; moving A by ``depth * direction`` makes the two touch.
-    on_a, on_b : tuple of float
-        The point of A that then meets the point of B: ``on_b = on_a + depth * direction``.
-    """
-
-    state: PairState
-    depth: float
-    direction: Point
-    on_a: Point
-    on_b: Point
+_OUT_OF_RANGE = "places the body outside the range of exact arithmetic"
+_HERE = (0.0, 0.0, 0.0)
+_NO_PAIR = DepthLowerBound(0.0, None, None)
 
 
-@dataclass(frozen=True, slots=True)
-class DepthLowerBound:
-    """A lower bound of PD^g with the pair of convex pieces that attains it.
-
-    Attributes
-    ----------
-    depth : float
-        The bound (length); 0 when no pair of pieces overlaps.
-    pair : tuple of int or None
-        Indices of the deepest pair in the bodies' convex pieces.
-    witness : TranslationalDepth or None
-        That pair's PD^t.
-    """
-
-    depth: float
-    pair: tuple[int, int] | None
-    witness: TranslationalDepth | None
-
-
-def translational_depth(A: Any, B: Any, pose: Any = (0.0, 0.0, 0.0)) -> TranslationalDepth:
+@overload
+def translational_depth(A: Any, B: Any, pose: Sequence[float] = ...) -> TranslationalDepth: ...
+@overload
+def translational_depth(A: Any, B: Any, pose: Any) -> Any: ...
+def translational_depth(
+    A: Any, B: Any, pose: Any = _HERE
+) -> TranslationalDepth | TranslationalDepths:
     """Return the translational penetration depth PD^t of two convex polygons.
 
     PD^t is the length of the shortest translation of A that leaves the interiors disjoint ([PDG]
@@ -67,29 +45,46 @@ def translational_depth(A: Any, B: Any, pose: Any = (0.0, 0.0, 0.0)) -> Translat
 
     Parameters
     ----------
-    A, B : array_like of shape (n, 2), shapely geometry, GeoJSON-like mapping, WKT or ConvexPieces
-        Convex polygons, each in its own frame.
-    pose : array_like of shape (3,)
+    A, B : body
+        As in `convex_pieces`. Convex polygons, each in its own frame.
+    pose : array_like of shape (3,) or (n, 3)
         Configuration (x, y, theta) of A: rotation by theta (radians) about its frame's origin,
-        then translation.
+        then translation. Many rows are done in one call, without the interpreter's lock.
 
     Returns
     -------
-    TranslationalDepth
-        In plain doubles; the error is some ten roundings of the largest coordinate.
+    TranslationalDepth or TranslationalDepths
+        For one pose or many. In plain doubles; the error is some ten roundings of the largest
+        coordinate.
 
     Raises
     ------
     PdgError
-        For a polygon that is not convex or is broken, and a pose that is not three finite numbers.
+        For a polygon that is not convex or is broken, and a pose that is not three finite numbers
+        (``index`` is its row in a batch).
     """
     pieces_a = one_convex_piece(A, "A")
     pieces_b = one_convex_piece(B, "B")
-    q = _gate.triple(pose, "pose")
-    return _depth(_core.translational_depth(pieces_a.core, pieces_b.core, q))
+    q = _gate.poses(pose, "pose")
+    if isinstance(q, tuple):
+        try:
+            return one_depth(_core.translational_depth(pieces_a.core, pieces_b.core, q))
+        except ValueError as error:
+            raise PdgError(_OUT_OF_RANGE, "pose", value=q) from error
+    bad, states, rows = _core.translational_depths(pieces_a.core, pieces_b.core, q)
+    _check_placed(bad, q)
+    return many_depths((states, rows))
 
 
-def generalized_depth_lower_bound(A: Any, B: Any, pose: Any = (0.0, 0.0, 0.0)) -> DepthLowerBound:
+@overload
+def generalized_depth_lower_bound(
+    A: Any, B: Any, pose: Sequence[float] = ...
+) -> DepthLowerBound: ...
+@overload
+def generalized_depth_lower_bound(A: Any, B: Any, pose: Any) -> Any: ...
+def generalized_depth_lower_bound(
+    A: Any, B: Any, pose: Any = _HERE
+) -> DepthLowerBound | DepthLowerBounds:
     """Return a lower bound of the generalized penetration depth PD^g of two bodies.
 
     The bound is the maximum of PD^t over pairs of convex pieces ([PDG] section 6.1). It holds
@@ -98,30 +93,41 @@ def generalized_depth_lower_bound(A: Any, B: Any, pose: Any = (0.0, 0.0, 0.0)) -
 
     Parameters
     ----------
-    A, B : array_like of shape (n, 2), shapely geometry, GeoJSON-like mapping, WKT or ConvexPieces
-        Any polygons. Pass `ConvexPieces` to decompose once for many queries.
-    pose : array_like of shape (3,)
-        Configuration (x, y, theta) of A, theta in radians.
+    A, B : body
+        As in `convex_pieces`: any polygons. Pass `ConvexPieces` to decompose once for many queries.
+    pose : array_like of shape (3,) or (n, 3)
+        Configuration (x, y, theta) of A, theta in radians. Many rows are done in one call, without
+        the interpreter's lock.
 
     Returns
     -------
-    DepthLowerBound
+    DepthLowerBound or DepthLowerBounds
+        For one pose or many.
         In plain doubles. Depth 0 does not mean that the bodies are apart by any distance.
 
     Raises
     ------
     PdgError
-        For a broken polygon, and a pose that is not three finite numbers.
+        For a broken polygon, and a pose that is not three finite numbers (``index``
+        is its row in a batch).
     """
     pieces_a = convex_pieces(A, name="A")
     pieces_b = convex_pieces(B, name="B")
-    q = _gate.triple(pose, "pose")
-    depth, i, j, pair = _core.generalized_depth_lower_bound(pieces_a.core, pieces_b.core, q)
-    if i < 0:
-        return DepthLowerBound(0.0, None, None)
-    return DepthLowerBound(depth, (i, j), _depth(pair))
+    q = _gate.poses(pose, "pose")
+    if isinstance(q, tuple):
+        try:
+            found = _core.generalized_depth_lower_bound(pieces_a.core, pieces_b.core, q)
+        except ValueError as error:
+            raise PdgError(_OUT_OF_RANGE, "pose", value=q) from error
+        depth, i, j, pair = found
+        return DepthLowerBound(depth, (i, j), one_depth(pair)) if i >= 0 else _NO_PAIR
+    bad, pairs, states, rows = _core.generalized_depth_lower_bounds(pieces_a.core, pieces_b.core, q)
+    _check_placed(bad, q)
+    witness = many_depths((states, rows))
+    return DepthLowerBounds(np.where(pairs[:, 0] >= 0, witness.depth, 0.0), pairs, witness)
 
 
-def _depth(result: tuple[int, float, Point, Point, Point]) -> TranslationalDepth:
-    state, depth, direction, on_a, on_b = result
-    return TranslationalDepth(_STATES[state], depth, direction, on_a, on_b)
+def _check_placed(bad: int, poses: NDArray[np.float64]) -> None:
+    """Raise for the row, if any, at which the core stopped."""
+    if bad >= 0:
+        raise PdgError(_OUT_OF_RANGE, "pose", bad, poses[bad].tolist())

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
 
 from pdg import _core, _gate
 from pdg.pieces import convex_pieces
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,30 +58,38 @@ def motion_bounds(half_extents: Any, radius: float) -> MotionBounds:
     return MotionBounds(*_core.motion_bounds(half, _gate.length(radius, "radius")))
 
 
-def displacement(body: Any, q0: Any, q1: Any) -> float:
+@overload
+def displacement(body: Any, q0: Sequence[float], q1: Sequence[float]) -> float: ...
+@overload
+def displacement(body: Any, q0: Any, q1: Any) -> Any: ...
+def displacement(body: Any, q0: Any, q1: Any) -> float | NDArray[np.float64]:
     """Return DISP(q0, q1), the largest distance between a body point at q0 and at q1.
 
     The displacement is a convex function of the body point, so a vertex attains it.
 
     Parameters
     ----------
-    body : array_like of shape (n, 2), shapely geometry, GeoJSON-like mapping, WKT or ConvexPieces
-        Polygons in their own frame.
-    q0, q1 : array_like of shape (3,)
-        Configurations (x, y, theta), theta in radians.
+    body : body
+        As in `convex_pieces`: polygons in their own frame.
+    q0, q1 : array_like of shape (3,) or (n, 3)
+        Configurations (x, y, theta), theta in radians; one may stand against many. Many rows are
+        done in one call, without the interpreter's lock.
 
     Returns
     -------
-    float
+    float or ndarray of shape (n,)
         Length, in plain doubles.
 
     Raises
     ------
     PdgError
-        For a broken body, and configurations that are not three finite numbers.
+        For a broken body, and configurations that are not three finite numbers
+        (``index`` is the row in a batch), or as many.
     """
     pieces = convex_pieces(body)
-    return _core.displacement(pieces.core, _gate.triple(q0, "q0"), _gate.triple(q1, "q1"))
+    start, end, single = _gate.pose_pairs(q0, q1)
+    lengths = _core.displacements(pieces.core, start, end)
+    return float(lengths[0]) if single else lengths
 
 
 def generalized_distance_bounds(body: Any, q0: Any, q1: Any) -> tuple[float, float]:
@@ -88,8 +102,8 @@ def generalized_distance_bounds(body: Any, q0: Any, q1: Any) -> tuple[float, flo
 
     Parameters
     ----------
-    body : array_like of shape (n, 2), shapely geometry, GeoJSON-like mapping, WKT or ConvexPieces
-        Polygons in their own frame.
+    body : body
+        As in `convex_pieces`: polygons in their own frame.
     q0, q1 : array_like of shape (3,)
         Configurations (x, y, theta), theta in radians.
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pdg import _core, _gate
+from pdg import _core, _shapes
 from pdg.errors import PdgError
 
 if TYPE_CHECKING:
@@ -48,9 +48,12 @@ def convex_pieces(body: Any, *, cover: bool = True, name: str = "body") -> Conve
 
     Parameters
     ----------
-    body : array_like of shape (n, 2), shapely geometry, GeoJSON-like mapping or WKT
-        One ring, or a Polygon or MultiPolygon with or without holes. Rings may have either
-        orientation, collinear and repeated vertices, and may touch in points.
+    body : array_like of shape (n, 2), anything shapely reads, ConvexPieces, or a list of these
+        One ring as coordinates; a shapely Polygon, MultiPolygon, LinearRing or GeometryCollection
+        of polygons; WKT; WKB (bytes or hexadecimal); GeoJSON as text, mapping or by
+        ``__geo_interface__``. A list (or an array of shape (k, n, 2)) is the union of its items.
+        Rings may have either orientation, collinear and repeated vertices, and may touch in
+        points. Polygons of one body may overlap.
     cover : bool
         True: a cover; each piece is grown as far as convexity allows and pieces may overlap.
         False: a partition; interiors are disjoint.
@@ -67,19 +70,14 @@ def convex_pieces(body: Any, *, cover: bool = True, name: str = "body") -> Conve
     ------
     PdgError
         For rings of fewer than three distinct points, non-finite coordinates, edges that cross,
-        holes outside their shell, and bodies without area.
+        holes outside their shell, z coordinates, and bodies without area.
     """
     if isinstance(body, ConvexPieces):
         return body
-    polygons = _gate.polygons(body, name)
-    rings = [ring for polygon in polygons for ring in polygon]
+    polygons = _shapes.polygons(body, name)
+    _check_holes(polygons, name)
     try:
-        core = _core.PieceSet(
-            np.concatenate(rings),
-            _starts(len(ring) for ring in rings),
-            _starts(len(polygon) for polygon in polygons),
-            cover,
-        )
+        core = _core.PieceSet(*_flat(polygons), cover)
     except ValueError as error:
         raise PdgError(str(error), name) from error
     if len(core) == 0:
@@ -94,6 +92,25 @@ def one_convex_piece(body: Any, name: str) -> ConvexPieces:
         problem = "not convex; see generalized_depth_lower_bound"
         raise PdgError(problem, name, value=f"{len(pieces)} convex pieces")
     return pieces
+
+
+def _check_holes(polygons: list[_shapes.Rings], name: str) -> None:
+    """Refuse what the core, which takes the even-odd interior, would misread: stray holes."""
+    with_holes = [polygon for polygon in polygons if len(polygon) > 1]
+    if with_holes and (defect := _core.first_defect(*_flat(with_holes))) is not None:
+        raise PdgError(f"invalid polygon: {defect[1]}", name)
+
+
+def _flat(
+    polygons: list[_shapes.Rings],
+) -> tuple[NDArray[np.float64], NDArray[np.uint32], NDArray[np.uint32]]:
+    """Return all coordinates, where each ring starts, and with which ring each polygon starts."""
+    rings = [ring for polygon in polygons for ring in polygon]
+    return (
+        np.concatenate(rings),
+        _starts(len(ring) for ring in rings),
+        _starts(len(polygon) for polygon in polygons),
+    )
 
 
 def _starts(counts: Iterator[int]) -> NDArray[np.uint32]:

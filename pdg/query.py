@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, overload
+
+import numpy as np
 
 from pdg import _core, _gate
 from pdg.errors import PdgError
 from pdg.pieces import convex_pieces
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 QueryMethod = Literal["per-normal", "displacement", "published"]
 _METHODS = {"published": 0, "displacement": 1, "per-normal": 2}
@@ -40,18 +46,53 @@ class CObstacleVerdict:
         return self.verdict == "full"
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class CObstacleVerdicts:
+    """Answers for n cells, one array a field; ``self[i]`` is the `CObstacleVerdict` of row i.
+
+    Attributes
+    ----------
+    full : ndarray of bool, shape (n,)
+    pair : ndarray of int, shape (n, 2)
+        (-1, -1) where no pair's boxes meet at the centre.
+    margin : ndarray, shape (n,)
+    """
+
+    full: NDArray[np.bool_]
+    pair: NDArray[np.int32]
+    margin: NDArray[np.float64]
+
+    def __len__(self) -> int:
+        return len(self.full)
+
+    def __getitem__(self, row: int) -> CObstacleVerdict:
+        i, j = (int(k) for k in self.pair[row])
+        return _verdict(bool(self.full[row]), i, j, float(self.margin[row]))
+
+    def __iter__(self) -> Iterator[CObstacleVerdict]:
+        return (self[row] for row in range(len(self)))
+
+
+@overload
+def c_obstacle_query(
+    A: Any, B: Any, cell: Sequence[float], method: QueryMethod = ...
+) -> CObstacleVerdict: ...
+@overload
+def c_obstacle_query(A: Any, B: Any, cell: Any, method: QueryMethod = ...) -> Any: ...
 def c_obstacle_query(
     A: Any, B: Any, cell: Any, method: QueryMethod = "per-normal"
-) -> CObstacleVerdict:
+) -> CObstacleVerdict | CObstacleVerdicts:
     """Try to prove that A and B overlap in every configuration of a cell ([PDG] section 8.1).
 
     Parameters
     ----------
-    A, B : array_like of shape (n, 2), shapely geometry, GeoJSON-like mapping, WKT or ConvexPieces
-        Polygons, each in its own frame. Pass `ConvexPieces` to decompose once for many queries.
-    cell : array_like of shape (6,)
+    A, B : body
+        As in `convex_pieces`: polygons, each in its own frame. Pass `ConvexPieces` to decompose
+        once for many queries.
+    cell : array_like of shape (6,) or (n, 6)
         (x, y, theta, h_x, h_y, h_theta): centre and half-extents, angles in radians. The cell is
-        closed; h_theta of pi or more means every orientation.
+        closed; h_theta of pi or more means every orientation. Many rows are done in one call,
+        without the interpreter's lock.
     method : {"per-normal", "displacement", "published"}
         "published": the lower bound of PD^g at the centre exceeds [PDG] Eq. 3's bound of the
         cell's motion. "displacement": for some pair, PD^t exceeds the displacement bound with the
@@ -60,20 +101,29 @@ def c_obstacle_query(
 
     Returns
     -------
-    CObstacleVerdict
+    CObstacleVerdict or CObstacleVerdicts
+        For one cell or many.
 
     Raises
     ------
     PdgError
         For a broken polygon, an unknown method, numbers that are not finite and negative
-        half-extents.
+        half-extents (``index`` is the row in a batch).
     """
     if method not in _METHODS:
         raise PdgError(f"expected one of {sorted(_METHODS)}", "method", value=method)
-    centre, half = _gate.cell(cell, "cell")
+    judged = _gate.cells(cell, "cell")
     pieces_a = convex_pieces(A, name="A")
     pieces_b = convex_pieces(B, name="B")
-    full, i, j, margin = _core.c_obstacle_query(
-        pieces_a.core, pieces_b.core, centre, half, _METHODS[method]
+    if isinstance(judged, tuple):
+        return _verdict(
+            *_core.c_obstacle_query(pieces_a.core, pieces_b.core, *judged, _METHODS[method])
+        )
+    full, pairs, margins = _core.c_obstacle_queries(
+        pieces_a.core, pieces_b.core, judged, _METHODS[method]
     )
+    return CObstacleVerdicts(full.astype(np.bool_), pairs, margins)
+
+
+def _verdict(full: bool, i: int, j: int, margin: float) -> CObstacleVerdict:
     return CObstacleVerdict("full" if full else "undecided", (i, j) if i >= 0 else None, margin)

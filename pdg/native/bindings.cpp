@@ -75,12 +75,6 @@ void bind_piece_set(const nb::module_& m) {
 
 void bind_motions(nb::module_& m) {
   m.def(
-      "displacement",
-      [](const pdg::PieceSet& body, const Triple& from, const Triple& to) {
-        return pdg::displacement(body, to_pose(from), to_pose(to));
-      },
-      "body"_a, "q0"_a, "q1"_a);
-  m.def(
       "generalized_distance_bounds",
       [](const pdg::PieceSet& body, const Triple& from, const Triple& to) {
         const auto bounds = pdg::generalized_distance_bounds(body, to_pose(from), to_pose(to));
@@ -133,6 +127,7 @@ NB_MODULE(_core, m) {  // NOLINT(bugprone-signed-bitwise): inside the macro
   m.attr("MIN_COORDINATE") = pdg::kMinCoordinate;
   m.attr("MAX_COORDINATE") = pdg::kMaxCoordinate;
   pdg::python::bind_piece_set(m);
+  pdg::python::bind_batches(m);
   pdg::python::bind_depths(m);
   pdg::python::bind_motions(m);
   pdg::python::bind_validity(m);

@@ -5,6 +5,7 @@
 
 namespace pdg::python {
 
+void bind_batches(nanobind::module_& m);
 void bind_depths(nanobind::module_& m);
 void bind_sets(nanobind::module_& m);
 

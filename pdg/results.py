@@ -1,0 +1,141 @@
+"""What the depth functions return: one result, or an array a field for many poses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+Point = tuple[float, float]
+PairState = Literal["apart", "touching", "overlap"]
+_STATES: tuple[PairState, PairState, PairState] = ("apart", "touching", "overlap")
+
+
+@dataclass(frozen=True, slots=True)
+class TranslationalDepth:
+    """PD^t of two convex bodies with its witness, in B's frame and unit of length.
+
+    Attributes
+    ----------
+    state : {"apart", "touching", "overlap"}
+        Decided exactly for the vertices as placed in doubles.
+    depth : float
+        Overlap: PD^t; touching: 0; apart: minus the distance.
+    direction : tuple of float
+        Unit vector; moving A by ``depth * direction`` makes the two touch.
+    on_a, on_b : tuple of float
+        The point of A that then meets the point of B: ``on_b = on_a + depth * direction``.
+    """
+
+    state: PairState
+    depth: float
+    direction: Point
+    on_a: Point
+    on_b: Point
+
+
+@dataclass(frozen=True, slots=True)
+class DepthLowerBound:
+    """A lower bound of PD^g with the pair of convex pieces that attains it.
+
+    Attributes
+    ----------
+    depth : float
+        The bound (length); 0 when no pair of pieces overlaps.
+    pair : tuple of int or None
+        Indices of the deepest pair in the bodies' convex pieces.
+    witness : TranslationalDepth or None
+        That pair's PD^t.
+    """
+
+    depth: float
+    pair: tuple[int, int] | None
+    witness: TranslationalDepth | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TranslationalDepths:
+    """PD^t for n poses, one array a field; ``self[i]`` is the `TranslationalDepth` of row i.
+
+    Attributes
+    ----------
+    state : ndarray of str, shape (n,)
+    depth : ndarray, shape (n,)
+    direction, on_a, on_b : ndarray, shape (n, 2)
+    """
+
+    state: NDArray[np.str_]
+    depth: NDArray[np.float64]
+    direction: NDArray[np.float64]
+    on_a: NDArray[np.float64]
+    on_b: NDArray[np.float64]
+
+    def __len__(self) -> int:
+        return len(self.depth)
+
+    def __getitem__(self, row: int) -> TranslationalDepth:
+        state: PairState = _STATES[_STATES.index(self.state[row])]
+        return TranslationalDepth(
+            state,
+            float(self.depth[row]),
+            point(self.direction[row]),
+            point(self.on_a[row]),
+            point(self.on_b[row]),
+        )
+
+    def __iter__(self) -> Iterator[TranslationalDepth]:
+        return (self[row] for row in range(len(self)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DepthLowerBounds:
+    """Lower bounds of PD^g for n poses; ``self[i]`` is the `DepthLowerBound` of row i.
+
+    Attributes
+    ----------
+    depth : ndarray, shape (n,)
+        0 where no pair of pieces overlaps.
+    pair : ndarray of int, shape (n, 2)
+        (-1, -1) where no pair of pieces overlaps.
+    witness : TranslationalDepths
+        The deepest pair's; its rows mean nothing where there is no pair.
+    """
+
+    depth: NDArray[np.float64]
+    pair: NDArray[np.int32]
+    witness: TranslationalDepths
+
+    def __len__(self) -> int:
+        return len(self.depth)
+
+    def __getitem__(self, row: int) -> DepthLowerBound:
+        i, j = (int(k) for k in self.pair[row])
+        if i < 0:
+            return DepthLowerBound(0.0, None, None)
+        return DepthLowerBound(float(self.depth[row]), (i, j), self.witness[row])
+
+    def __iter__(self) -> Iterator[DepthLowerBound]:
+        return (self[row] for row in range(len(self)))
+
+
+def one_depth(result: tuple[int, float, Point, Point, Point]) -> TranslationalDepth:
+    """Return the core's answer for one pose."""
+    state, depth, direction, on_a, on_b = result
+    return TranslationalDepth(_STATES[state], depth, direction, on_a, on_b)
+
+
+def many_depths(columns: tuple[NDArray[np.uint8], NDArray[np.float64]]) -> TranslationalDepths:
+    """Return the core's answer for many poses: states, and rows of depth and three points."""
+    states, rows = columns
+    names = np.array(_STATES)[states]
+    return TranslationalDepths(names, rows[:, 0], rows[:, 1:3], rows[:, 3:5], rows[:, 5:7])
+
+
+def point(pair: NDArray[np.float64]) -> Point:
+    """Return two numbers as a tuple."""
+    return float(pair[0]), float(pair[1])
