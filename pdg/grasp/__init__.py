@@ -1,0 +1,42 @@
+"""How well a grasp resists wrenches: grasp wrench sets, hands, force closure, force efficiency.
+
+Source: [GFE] Zheng, Yamane, *Evaluation of Grasp Force Efficiency Considering Hand Configuration
+and Using Novel Generalized Penetration Distance Algorithm*, ICRA 2013.
+"""
+
+from pdg.grasp.active_forces import ActiveForces
+from pdg.grasp.contacts import (
+    Contact,
+    contact_map,
+    frictionless,
+    point_contact,
+    soft_finger,
+)
+from pdg.grasp.hand import (
+    Finger,
+    Joint,
+    active_wrench_set,
+    finger,
+    finger_forces,
+    prismatic,
+    revolute,
+)
+from pdg.grasp.wrenches import WrenchSet, grasp_wrench_set
+
+__all__ = [
+    "ActiveForces",
+    "Contact",
+    "Finger",
+    "Joint",
+    "WrenchSet",
+    "active_wrench_set",
+    "contact_map",
+    "finger",
+    "finger_forces",
+    "frictionless",
+    "grasp_wrench_set",
+    "point_contact",
+    "prismatic",
+    "revolute",
+    "soft_finger",
+]

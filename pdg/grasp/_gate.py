@@ -1,0 +1,84 @@
+"""Arguments of `pdg.grasp` → checked arrays of doubles. Nothing behind this checks again."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pdg.errors import PdgError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+# Sine of the least angle between a normal and a direction that is to be projected into the contact
+# plane: the projection then keeps half of the digits of a double.
+LEAST_TANGENT_SINE = 1e-8
+
+# Products of a few such numbers neither over- nor underflow.
+MIN_MAGNITUDE = 1e-20
+MAX_MAGNITUDE = 1e20
+
+
+def vector(value: object, name: str, sizes: tuple[int, ...]) -> NDArray[np.float64]:
+    """Return a vector of sane numbers with one of the given numbers of components."""
+    numbers = array(value, name)
+    if numbers.ndim != 1 or len(numbers) not in sizes:
+        wanted = " or ".join(str(size) for size in sizes)
+        raise PdgError(f"expected {wanted} numbers", name, value=numbers.shape)
+    return numbers
+
+
+def unit(value: object, name: str, size: int) -> NDArray[np.float64]:
+    """Return the unit vector along `value`."""
+    direction = vector(value, name, (size,))
+    norm = float(np.linalg.norm(direction))
+    if norm == 0:
+        raise PdgError("a direction must not be zero", name, value=direction.tolist())
+    return frozen(direction / norm)
+
+
+def coefficient(value: object, name: str) -> float:
+    """Return one sane number >= 0."""
+    numbers = array(value, name)
+    if numbers.shape != ():
+        raise PdgError("expected one number", name, value=numbers.shape)
+    number = float(numbers)
+    if number < 0:
+        raise PdgError("must not be negative", name, value=number)
+    return number
+
+
+def positive(value: object, name: str) -> float:
+    """Return one sane number > 0."""
+    number = coefficient(value, name)
+    if number == 0:
+        raise PdgError("must be positive", name, value=number)
+    return number
+
+
+def array(value: object, name: str) -> NDArray[np.float64]:
+    """Return a read-only array of any shape, whose numbers are 0 or of sane magnitude."""
+    try:
+        given = np.array(value)
+    except (TypeError, ValueError) as error:
+        raise PdgError("expected real numbers", name, value=value) from error
+    if given.dtype.kind not in "iuf":
+        raise PdgError("expected real numbers", name, value=value)
+    numbers = given.astype(np.float64)
+    magnitude = np.abs(numbers)
+    # Negated, so that NaN fails too.
+    bad = ~((magnitude == 0) | ((magnitude >= MIN_MAGNITUDE) & (magnitude <= MAX_MAGNITUDE)))
+    if bad.any():
+        first = tuple(np.argwhere(bad)[0])
+        problem = (
+            f"must be finite, and 0 or between {MIN_MAGNITUDE:g} and {MAX_MAGNITUDE:g} in magnitude"
+        )
+        raise PdgError(problem, name, int(first[0]) if first else None, float(numbers[first]))
+    return frozen(numbers)
+
+
+def frozen(numbers: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the array, made read-only."""
+    numbers.flags.writeable = False
+    return numbers
