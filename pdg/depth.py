@@ -12,7 +12,7 @@ import numpy as np
 
 from pdg import _core, _gate
 from pdg.errors import PdgError
-from pdg.pieces import convex_pieces, one_convex_piece
+from pdg.pieces import convex_pieces
 from pdg.results import (
     DepthLowerBound,
     DepthLowerBounds,
@@ -37,16 +37,17 @@ def translational_depth(A: Any, B: Any, pose: Any) -> Any: ...
 def translational_depth(
     A: Any, B: Any, pose: Any = _HERE
 ) -> TranslationalDepth | TranslationalDepths:
-    """Return the translational penetration depth PD^t of two convex polygons.
+    """Return the translational penetration depth PD^t of two bodies.
 
     PD^t is the length of the shortest translation of A that leaves the interiors disjoint ([PDG]
-    Eq. 1); in the plane it is minus the greatest separating-axis function over both polygons'
-    edges. Disjoint polygons get minus their distance.
+    Eq. 1). Of convex bodies it is minus the greatest separating-axis function over both polygons'
+    edges. Of others it is found outside the union of the Minkowski sums of their convex pieces, so
+    A may also end in a hole or a notch of B. Disjoint bodies get minus their distance.
 
     Parameters
     ----------
     A, B : body
-        As in `convex_pieces`. Convex polygons, each in its own frame.
+        As in `convex_pieces`: any polygons. Pass `ConvexPieces` to decompose once for many queries.
     pose : array_like of shape (3,) or (n, 3)
         Configuration (x, y, theta) of A: rotation by theta (radians) about its frame's origin,
         then translation. Many rows are done in one call, without the interpreter's lock.
@@ -55,16 +56,17 @@ def translational_depth(
     -------
     TranslationalDepth or TranslationalDepths
         For one pose or many. In plain doubles; the error is some ten roundings of the largest
-        coordinate.
+        coordinate, over the sine of the angle at which the edges meet that stop A. Of bodies that
+        are not convex, gaps narrower than some 1e-14 of their extent may count as free or not.
 
     Raises
     ------
     PdgError
-        For a polygon that is not convex or is broken, and a pose that is not three finite numbers
-        (``index`` is its row in a batch).
+        For a broken polygon, and a pose that is not three finite numbers (``index`` is its row in
+        a batch).
     """
-    pieces_a = one_convex_piece(A, "A")
-    pieces_b = one_convex_piece(B, "B")
+    pieces_a = convex_pieces(A, name="A")
+    pieces_b = convex_pieces(B, name="B")
     q = _gate.poses(pose, "pose")
     if isinstance(q, tuple):
         try:

@@ -85,15 +85,6 @@ def convex_pieces(body: Any, *, cover: bool = True, name: str = "body") -> Conve
     return ConvexPieces(core)
 
 
-def one_convex_piece(body: Any, name: str) -> ConvexPieces:
-    """Return the body, which must be convex, as its single piece."""
-    pieces = convex_pieces(body, name=name)
-    if len(pieces) != 1:
-        problem = "not convex; see generalized_depth_lower_bound"
-        raise PdgError(problem, name, value=f"{len(pieces)} convex pieces")
-    return pieces
-
-
 def _check_holes(polygons: list[_shapes.Rings], name: str) -> None:
     """Refuse what the core, which takes the even-odd interior, would misread: stray holes."""
     with_holes = [polygon for polygon in polygons if len(polygon) > 1]

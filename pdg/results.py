@@ -18,7 +18,7 @@ _STATES: tuple[PairState, PairState, PairState] = ("apart", "touching", "overlap
 
 @dataclass(frozen=True, slots=True)
 class TranslationalDepth:
-    """PD^t of two convex bodies with its witness, in B's frame and unit of length.
+    """PD^t of two bodies with its witness, in B's frame and unit of length.
 
     Attributes
     ----------

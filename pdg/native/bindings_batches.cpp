@@ -17,7 +17,7 @@
 #include "c_obstacle_query.hpp"
 #include "displacement.hpp"
 #include "generalized_depth.hpp"
-#include "translational_depth.hpp"
+#include "nonconvex_depth.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -88,13 +88,9 @@ IndexPairs to_pairs(std::vector<std::int32_t>&& pairs) {
 }
 
 auto translational_depths(const pdg::PieceSet& a, const pdg::PieceSet& b, const Poses& poses) {
-  if (a.polygons.size() != 1 || b.polygons.size() != 1) {
-    throw nb::value_error("translational_depths needs one convex piece each");
-  }
   DepthColumns columns(poses.shape(0));
   const std::int64_t bad = for_each_row(poses.shape(0), [&](const std::size_t row) {
-    const pdg::ConvexPolygon moved = pdg::placed(a.polygons[0], pose_of(poses, row));
-    columns.set(row, pdg::translational_depth(moved, b.polygons[0]));
+    columns.set(row, pdg::translational_depth(a, b, pose_of(poses, row)));
   });
   return std::tuple{bad, columns.take_states(), columns.take_rows()};
 }

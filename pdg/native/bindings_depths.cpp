@@ -9,7 +9,7 @@
 #include "bindings_subjects.hpp"
 #include "c_obstacle_query.hpp"
 #include "generalized_depth.hpp"
-#include "translational_depth.hpp"
+#include "nonconvex_depth.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -20,11 +20,8 @@ void bind_depths(nb::module_& m) {
   m.def(
       "translational_depth",
       [](const pdg::PieceSet& a, const pdg::PieceSet& b, const Triple& pose) {
-        if (a.polygons.size() != 1 || b.polygons.size() != 1) {
-          throw nb::value_error("translational_depth needs one convex piece each");
-        }
-        return to_tuple(
-            pdg::translational_depth(pdg::placed(a.polygons[0], to_pose(pose)), b.polygons[0]));
+        const nb::gil_scoped_release release;
+        return to_tuple(pdg::translational_depth(a, b, to_pose(pose)));
       },
       "a"_a, "b"_a, "pose"_a);
   m.def(

@@ -77,6 +77,12 @@ inline constexpr double kLiftOffUnits = 8.0;
 // Centres of the stretches that a wide cell is cut into, in units of u (|theta| + half-angle).
 inline constexpr double kStretchUnits = 8.0 * PDG_MARGIN_SCALE;
 
+// A half-plane of a Minkowski sum at one angle, and a point against it, in units of u (A + B + T),
+// coordinates from the slice's own origin, whose own magnitude counts towards A, B and T: the
+// moving vertex 16 (its difference 1, turn 8, product with the normal 7), the fixed one 8, the
+// translation 15 (normal 4, foot on the line 4, product 3, step along the line 4), sums 3.
+inline constexpr double kSliceErrorUnits = 32.0 * PDG_MARGIN_SCALE;
+
 // Errors of plain results, for whoever compares them; no verdict leans on these. PD^t of two
 // polygons: in units of u times the diameter of both together. The displacement of a body: in units
 // of u (|t0| + |t1| + r (1 + |theta0| + |theta1|)), r the body's largest radius.
