@@ -38,8 +38,7 @@ void bind_piece_set(const nb::module_& m) {
           "__init__",
           [](pdg::PieceSet* self, const Coords& coords, const Starts& ring_starts,
              const Starts& polygon_starts, const bool cover) {
-            const std::vector<pdg::Polygon> polygons =
-                to_polygons(coords, ring_starts, polygon_starts);
+            std::vector<pdg::Polygon> polygons = to_polygons(coords, ring_starts, polygon_starts);
             const nb::gil_scoped_release release;
             std::vector<pdg::ConvexPolygon> pieces;
             for (const pdg::Polygon& polygon : polygons) {
@@ -48,7 +47,9 @@ void bind_piece_set(const nb::module_& m) {
                 pieces.push_back(std::move(piece));
               }
             }
-            new (self) pdg::PieceSet(pdg::make_piece_set(std::move(pieces)));
+            pdg::PieceSet set = pdg::make_piece_set(std::move(pieces));
+            set.outline = std::move(polygons);
+            new (self) pdg::PieceSet(std::move(set));
           },
           "coords"_a, "ring_starts"_a, "polygon_starts"_a, "cover"_a)
       .def("__len__", [](const pdg::PieceSet& self) { return self.polygons.size(); })

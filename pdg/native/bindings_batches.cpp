@@ -99,9 +99,10 @@ auto generalized_depth_lower_bounds(const pdg::PieceSet& a, const pdg::PieceSet&
                                     const Poses& poses) {
   DepthColumns columns(poses.shape(0));
   std::vector<std::int32_t> pairs(2 * poses.shape(0));
+  pdg::DepthScratch scratch;
   const std::int64_t bad = for_each_row(poses.shape(0), [&](const std::size_t row) {
     const pdg::DepthLowerBound bound =
-        pdg::generalized_depth_lower_bound(a, b, pose_of(poses, row));
+        pdg::generalized_depth_lower_bound(a, b, pose_of(poses, row), scratch);
     columns.set(row, bound.pair);
     pairs[2 * row] = bound.piece_a;
     pairs[2 * row + 1] = bound.piece_b;

@@ -1,27 +1,84 @@
 #include "generalized_depth.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace pdg {
+namespace {
+
+using Candidate = DepthScratch::Candidate;
+
+ConvexPolygon piece_at(const PlacedBody& body, const std::size_t i) {
+  const auto vertex = [&](const std::uint32_t k) {
+    return body.vertices.begin() + static_cast<std::ptrdiff_t>(k);
+  };
+  return {vertex(body.first[i]), vertex(body.first[i + 1])};
+}
+
+// All pairs whose depth is within rounding of the greatest one, in order of their indices.
+void find_deepest(const PieceSet& a, const PieceSet& b, DepthScratch& scratch) {
+  // Twice: the error of the depth compared, and of the one it is compared with.
+  const double slack = 2.0 * scratch.placed.error;
+  double best = 0.0;
+  scratch.candidates.clear();
+  NearPairs(
+      a.tree, scratch.placed.boxes, b.tree,
+      [&](const double depth) { return depth > 0.0 && depth > best - slack; },
+      [&](const std::size_t i, const std::size_t j) {
+        const double depth = -pair_separation(scratch.placed, i, b.pieces[j], slack - best);
+        if (depth <= best - slack) return;
+        scratch.candidates.push_back({depth, i, j});
+        best = std::max(best, depth);
+      })
+      .run();
+  std::erase_if(scratch.candidates, [&](const Candidate& c) { return c.depth <= best - slack; });
+  std::sort(scratch.candidates.begin(), scratch.candidates.end(),
+            [](const Candidate& c, const Candidate& d) {
+              return c.piece_a != d.piece_a ? c.piece_a < d.piece_a : c.piece_b < d.piece_b;
+            });
+}
+
+}  // namespace
+
+DepthLowerBound generalized_depth_lower_bound(const PieceSet& a, const PieceSet& b,
+                                              const Pose& pose, DepthScratch& scratch) {
+  place(a, pose, b.radius, scratch.placed);
+  find_deepest(a, b, scratch);
+  DepthLowerBound best;
+  for (const Candidate& candidate : scratch.candidates) {
+    const TranslationalDepth pair = translational_depth(piece_at(scratch.placed, candidate.piece_a),
+                                                        b.polygons[candidate.piece_b]);
+    if (pair.state != PairState::kOverlap) continue;
+    if (best.piece_a >= 0 && pair.depth <= best.depth) continue;
+    best = {pair.depth, static_cast<int>(candidate.piece_a), static_cast<int>(candidate.piece_b),
+            pair};
+  }
+  return best;
+}
 
 DepthLowerBound generalized_depth_lower_bound(const PieceSet& a, const PieceSet& b,
                                               const Pose& pose) {
-  DepthLowerBound best;
-  std::vector<std::int32_t> near;
-  for (std::size_t i = 0; i < a.polygons.size(); ++i) {
-    const ConvexPolygon moved = placed(a.polygons[i], pose);
-    near.clear();
-    find_meeting(b.tree, bounding_box(moved), near);
-    std::sort(near.begin(), near.end());  // the first of equally deep pairs wins
-    for (const std::int32_t j : near) {
-      const TranslationalDepth pair =
-          translational_depth(moved, b.polygons[static_cast<std::size_t>(j)]);
-      if (pair.state != PairState::kOverlap) continue;
-      if (best.piece_a >= 0 && pair.depth <= best.depth) continue;
-      best = {pair.depth, static_cast<int>(i), j, pair};
-    }
-  }
-  return best;
+  DepthScratch scratch;
+  return generalized_depth_lower_bound(a, b, pose, scratch);
+}
+
+bool interiors_are_disjoint(const PieceSet& a, const PieceSet& b, const Pose& pose,
+                            DepthScratch& scratch) {
+  place(a, pose, b.radius, scratch.placed);
+  const double error = scratch.placed.error;
+  bool disjoint = true;
+  NearPairs(
+      a.tree, scratch.placed.boxes, b.tree,
+      [&](const double depth) { return disjoint && depth > 0.0; },
+      [&](const std::size_t i, const std::size_t j) {
+        const double separation = pair_separation(scratch.placed, i, b.pieces[j], error);
+        if (separation >= error) return;
+        // Decided exactly where rounding leaves it open.
+        disjoint = separation > -error &&
+                   pair_state(piece_at(scratch.placed, i), b.polygons[j]) != PairState::kOverlap;
+      })
+      .run();
+  return disjoint;
 }
 
 }  // namespace pdg

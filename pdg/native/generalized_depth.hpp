@@ -1,7 +1,11 @@
 // Lower bound of the generalized penetration depth PD^g of non-convex bodies.
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "piece_set.hpp"
+#include "placed_body.hpp"
 #include "translational_depth.hpp"
 
 namespace pdg {
@@ -13,10 +17,30 @@ struct DepthLowerBound {
   TranslationalDepth pair;  // its PD^t in B's frame; only valid when there is a pair
 };
 
+// Storage that a series of queries uses again.
+struct DepthScratch {
+  struct Candidate {
+    double depth = 0.0;  // within the body's `error`
+    std::size_t piece_a = 0;
+    std::size_t piece_b = 0;
+  };
+  PlacedBody placed;
+  std::vector<Candidate> candidates;
+};
+
 // max over pairs of PD^t(A_i(q), B_j) ([PDG] section 6.1): PD^g is at least that, under D_g and
-// under DISP. Pairs whose boxes miss each other are dropped by B's hierarchy. Plain doubles, for
-// the vertices of A as placed in doubles.
+// under DISP. Both bodies' hierarchies drop pairs whose boxes overlap by less than the best depth
+// so far; the pairs that rounding cannot tell from the deepest are computed as translational_depth
+// does, and the first of equally deep ones wins. Plain doubles, for the vertices of A as placed in
+// doubles. Throws std::invalid_argument for a deepest pair outside the range of predicates.hpp.
+DepthLowerBound generalized_depth_lower_bound(const PieceSet& a, const PieceSet& b,
+                                              const Pose& pose, DepthScratch& scratch);
 DepthLowerBound generalized_depth_lower_bound(const PieceSet& a, const PieceSet& b,
                                               const Pose& pose);
+
+// Whether no pair of pieces overlaps, so that the bodies' interiors are disjoint: exact, by
+// pair_state, for the vertices of A as placed in doubles.
+bool interiors_are_disjoint(const PieceSet& a, const PieceSet& b, const Pose& pose,
+                            DepthScratch& scratch);
 
 }  // namespace pdg

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "convex_hull.hpp"
+
 namespace pdg {
 
 PieceSet make_piece_set(std::vector<ConvexPolygon> polygons) {
@@ -23,6 +25,7 @@ PieceSet make_piece_set(std::vector<ConvexPolygon> polygons) {
     boxes.push_back(bounding_box(polygon));
   }
   set.tree = build_box_tree(boxes);
+  set.hull = convex_hull(set.polygons);
   return set;
 }
 

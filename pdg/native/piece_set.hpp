@@ -23,6 +23,8 @@ struct PieceSet {
   std::vector<double> radii;        // per piece: max |vertex| about the frame origin, rounded up
   double radius = 0.0;              // the largest of them
   BoxTree tree;                     // over the pieces' boxes
+  ConvexPolygon hull;               // of all pieces
+  std::vector<Polygon> outline;     // the polygons whose union the pieces are, where they are known
 };
 
 // Throws std::invalid_argument for a piece of more than 65535 vertices.

@@ -1,0 +1,126 @@
+#include "placed_body.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "tolerances.hpp"
+
+namespace pdg {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Box box_of(const std::span<const Vec2> points) {
+  Box box{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
+  for (const Vec2 p : points) box = joined(box, {p, p});
+  return box;
+}
+
+// The least of normal . w - offset over vertices, found from vertex `begin` on (the last edge's
+// minimiser, which is near this one's); gives up at a value that is no more than `beaten`.
+struct Support {
+  double separation = kInfinity;
+  std::size_t vertex = 0;
+};
+
+template <class VertexAt>
+Support least_over(const std::size_t count, const VertexAt& vertex_at, const Vec2 normal,
+                   const double offset, const std::size_t begin, const double beaten) {
+  Support least;
+  for (std::size_t step = 0, k = begin; step < count; ++step) {
+    const double s = dot(normal, vertex_at(k)) - offset;
+    if (s < least.separation) least = {s, k};
+    if (s <= beaten) break;
+    if (++k == count) k = 0;
+  }
+  return least;
+}
+
+// The edge beyond which a point lies farthest.
+template <class LineAt>
+std::size_t farthest_edge(const std::size_t count, const Vec2 point, const LineAt& line_at) {
+  std::size_t farthest = 0;
+  double most = -kInfinity;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto [normal, offset] = line_at(k);
+    const double s = dot(normal, point) - offset;
+    if (s > most) {
+      most = s;
+      farthest = k;
+    }
+  }
+  return farthest;
+}
+
+}  // namespace
+
+void place(const PieceSet& body, const Pose& pose, const double other_radius, PlacedBody& result) {
+  const Rotation rotation = rotation_of(pose.theta);
+  result.vertices.clear();
+  result.normals.clear();
+  result.offsets.clear();
+  result.centres.clear();
+  result.first.assign(1, 0);
+  for (const ConvexPiece& piece : body.pieces) {
+    for (const Edge& edge : piece.edges) {
+      const Vec2 vertex = rotate(rotation, edge.vertex) + pose.t;
+      const Vec2 normal = rotate(rotation, edge.normal);
+      result.vertices.push_back(vertex);
+      result.normals.push_back(normal);
+      result.offsets.push_back(dot(normal, vertex));
+    }
+    result.centres.push_back(rotate(rotation, piece.centre) + pose.t);
+    result.first.push_back(static_cast<std::uint32_t>(result.vertices.size()));
+  }
+  const std::vector<BoxTree::Node>& nodes = body.tree.nodes;
+  result.boxes.resize(nodes.size());
+  for (std::size_t n = nodes.size(); n-- > 0;) {  // children before their parents
+    if (nodes[n].item >= 0) {
+      const auto i = static_cast<std::size_t>(nodes[n].item);
+      const std::size_t count = result.first[i + 1] - result.first[i];
+      result.boxes[n] = box_of(std::span(result.vertices).subspan(result.first[i], count));
+    } else {
+      result.boxes[n] = joined(result.boxes[n + 1], result.boxes[nodes[n + 1].after]);
+    }
+  }
+  result.error =
+      kSeparationErrorUnits * kUnitRoundoff * (body.radius + other_radius + norm(pose.t));
+}
+
+double pair_separation(const PlacedBody& a, const std::size_t i, const ConvexPiece& b,
+                       const double enough) {
+  const std::size_t begin = a.first[i];
+  const std::size_t count_a = a.first[i + 1] - begin;
+  const std::size_t count_b = b.edges.size();
+  const auto vertex_of_a = [&](const std::size_t k) { return a.vertices[begin + k]; };
+  const auto vertex_of_b = [&](const std::size_t k) { return b.edges[k].vertex; };
+  double separation = -kInfinity;
+  // The axes most likely to separate come first: the others are then soon beaten.
+  const std::size_t first_b = farthest_edge(count_b, a.centres[i], [&](const std::size_t k) {
+    return std::pair{b.edges[k].normal, b.edges[k].offset};
+  });
+  std::size_t hint = 0;
+  for (std::size_t step = 0, k = first_b; step < count_b; ++step) {
+    const Edge& edge = b.edges[k];
+    const Support s = least_over(count_a, vertex_of_a, edge.normal, edge.offset, hint, separation);
+    hint = s.vertex;
+    separation = std::max(separation, s.separation);
+    if (separation >= enough) return separation;
+    if (++k == count_b) k = 0;
+  }
+  const std::size_t first_a = farthest_edge(count_a, b.centre, [&](const std::size_t k) {
+    return std::pair{a.normals[begin + k], a.offsets[begin + k]};
+  });
+  hint = 0;
+  for (std::size_t step = 0, k = first_a; step < count_a; ++step) {
+    const Support s = least_over(count_b, vertex_of_b, a.normals[begin + k], a.offsets[begin + k],
+                                 hint, separation);
+    hint = s.vertex;
+    separation = std::max(separation, s.separation);
+    if (separation >= enough) return separation;
+    if (++k == count_a) k = 0;
+  }
+  return separation;
+}
+
+}  // namespace pdg
