@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from planar_planner.import_arguments import add_importing
 from planar_planner.options import Options
 from planar_planner.samplers import DEFAULT_SAMPLERS
 
@@ -25,6 +26,8 @@ examples:
   planar-planner verify gear gear.cert.json
   planar-planner list
   planar-planner show maze --plot maze.png
+  planar-planner convert map.yaml scene.json --robot robot.wkt --start 1,1,0 --goal 8,5,0
+  planar-planner solve drawing.svg --flatten inwards --tolerance 0.01
 
 exit status: 0 path, 1 no path (proven), 2 bad input or usage, 3 undecided
 of verify:   0 valid, 1 rejected, 2 unreadable"""
@@ -57,6 +60,7 @@ def make_parser() -> argparse.ArgumentParser:
     _add_list(commands)
     _add_show(commands)
     _add_compare(commands)
+    _add_convert(commands)
     return parser
 
 
@@ -88,7 +92,7 @@ def _add_verify(commands: Any) -> None:
     verify = _add_command(commands, "verify", "check a certificate with independent, exact code")
     _add_scene(verify)
     verify.add_argument("certificate", metavar="CERT", help="what solve --certificate has written")
-    _add_ends(verify)
+    add_importing(verify)
     _add_json(verify, "the finding")
     _add_contact_tolerance(verify, "the ends of a path may have been moved")
     verify.set_defaults(run=_run_verify)
@@ -104,6 +108,7 @@ def _add_list(commands: Any) -> None:
 def _add_show(commands: Any) -> None:
     show = _add_command(commands, "show", "describe a scene, and draw it, without solving it")
     _add_scene(show)
+    add_importing(show)
     _add_plot(show, "draw the scene")
     show.set_defaults(run=_run_show)
 
@@ -111,7 +116,10 @@ def _add_show(commands: Any) -> None:
 def _add_compare(commands: Any) -> None:
     compare = _add_command(commands, "compare", "compare with OMPL's planners in one run")
     compare.add_argument(
-        "scenes", metavar="SCENE", nargs="+", help="built-in names (see list) or files"
+        "scenes",
+        metavar="SCENE",
+        nargs="+",
+        help="built-in names (see list) or files: scenes or outside formats",
     )
     compare.add_argument(
         "--planners",
@@ -135,8 +143,25 @@ def _add_compare(commands: Any) -> None:
     compare.add_argument(
         "--json", metavar="FILE", help="write all runs as JSON; - for standard output"
     )
+    add_importing(compare)
     _add_plot(compare, "draw times to the first solution")
     compare.set_defaults(run=_run_compare)
+
+
+def _add_convert(commands: Any) -> None:
+    convert = _add_command(
+        commands, "convert", "turn a file in an outside format into a scene file, or back"
+    )
+    _add_scene(convert)
+    convert.add_argument(
+        "out",
+        metavar="OUT",
+        type=Path,
+        help="file to write: .json for a scene; .geojson, .wkt, .svg, .dxf, .csv, .txt (with .rob)",
+    )
+    add_importing(convert)
+    convert.add_argument("--quiet", action="store_true", help="do not tell what was repaired")
+    convert.set_defaults(run=_run_convert)
 
 
 def _add_command(commands: Any, name: str, summary: str) -> argparse.ArgumentParser:
@@ -147,23 +172,17 @@ def _add_command(commands: Any, name: str, summary: str) -> argparse.ArgumentPar
 
 
 def _add_scene(command: argparse.ArgumentParser) -> None:
-    command.add_argument("scene", metavar="SCENE", help="a built-in name (see list) or a file")
+    command.add_argument(
+        "scene",
+        metavar="SCENE",
+        help="a built-in name (see list) or a file: scene or outside format",
+    )
 
 
 def _add_plot(command: argparse.ArgumentParser, what: str) -> None:
     command.add_argument(
         "--plot", metavar="FILE", type=_picture, help=f"{what}: {', '.join(PLOT_SUFFIXES)}"
     )
-
-
-def _add_ends(command: argparse.ArgumentParser) -> None:
-    for name in ("start", "goal"):
-        command.add_argument(
-            f"--{name}",
-            metavar="X,Y,THETA",
-            type=_configuration,
-            help=f"{name} here instead of where the scene says; theta in radians",
-        )
 
 
 def _add_json(command: argparse.ArgumentParser, what: str) -> None:
@@ -184,7 +203,7 @@ def _add_contact_tolerance(command: Any, what: str) -> None:
 
 def _add_query(command: argparse.ArgumentParser) -> None:
     _add_scene(command)
-    _add_ends(command)
+    add_importing(command)
     _add_json(command, "the result")
     command.add_argument(
         "--certificate",
@@ -242,16 +261,6 @@ def options_of(arguments: argparse.Namespace) -> Options:
     )
 
 
-def _configuration(text: str) -> list[float]:
-    try:
-        values = [float(part) for part in text.split(",")]
-    except ValueError:
-        values = []
-    if len(values) != 3:
-        raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,THETA, three numbers")
-    return values
-
-
 def _bytes(text: str) -> int:
     match = re.fullmatch(
         r"(\d{1,18}(?:\.\d{1,9})?)\s*([KMGT]?)(?:i?B)?", text.strip(), re.IGNORECASE
@@ -296,5 +305,11 @@ def _run_show(arguments: argparse.Namespace) -> int:
 
 def _run_compare(arguments: argparse.Namespace) -> int:
     from planar_planner.commands.compare import run
+
+    return run(arguments)
+
+
+def _run_convert(arguments: argparse.Namespace) -> int:
+    from planar_planner.commands.convert import run
 
     return run(arguments)

@@ -11,13 +11,15 @@ import json
 import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from planar_planner import fields
 from planar_planner.builtin import builtin_scenes
 from planar_planner.errors import SceneError, cut, shown
+from planar_planner.formats import registry
+from planar_planner.formats.parts import ImportOptions
 from planar_planner.limits import MAX_FILE_BYTES
 
 FORMAT = "planar-planner/scene"
@@ -49,6 +51,11 @@ class Scene:
         False forbids turning; start and goal then have the same theta.
     source : str
         Where the scene came from, for messages.
+    notes : tuple of str
+        What an importer did to the geometry of a file in an outside format.
+    holds_for : str
+        The verdict that carries over to the curves of such a file, ``path`` or ``no_path``; empty
+        if both do.
     """
 
     name: str
@@ -61,6 +68,8 @@ class Scene:
     goal: Any
     rotation: Any
     source: str
+    notes: tuple[str, ...] = ()
+    holds_for: str = ""
 
     def to_dict(self) -> dict[str, Any]:
         """Return the scene as a JSON object that `load_scene` reads back."""
@@ -80,15 +89,21 @@ class Scene:
         return content
 
 
-def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any]) -> Scene:
+def load_scene(
+    scene: str | os.PathLike[str] | Mapping[str, Any], importing: ImportOptions | None = None
+) -> Scene:
     """Read a scene.
 
     Parameters
     ----------
     scene : str, path or mapping
-        The name of a built-in scene, the path of a scene file, or the content of one. A string
-        that names a built-in scene is that scene; write ``./name`` for a file called the same.
-        In a mapping, numpy arrays and objects with ``__geo_interface__`` (shapely) are welcome.
+        The name of a built-in scene, the path of a scene file or of a file in an outside format
+        (``docs/formats.md``), or the content of a scene file. A string that names a built-in scene
+        is that scene; write ``./name`` for a file called the same. In a mapping, numpy arrays and
+        objects with ``__geo_interface__`` (shapely) are welcome.
+    importing : ImportOptions, optional
+        Start and goal to use instead of the scene's own, and for files in outside formats all that
+        they do not say.
 
     Returns
     -------
@@ -100,24 +115,49 @@ def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any]) -> Scene:
     SceneError
         If there is no such scene, or it is no JSON object with the right fields.
     """
+    options = importing or ImportOptions()
     if isinstance(scene, Mapping):
-        return _checked(_plain_json(scene), "<dict>", "scene")
+        return _with_ends(_checked(_plain_json(scene), "<dict>", "scene"), options)
     if isinstance(scene, str):
         known = builtin_scenes()
         if scene in known:
-            return _checked(_read(known[scene], scene), scene, scene)
+            content = parse(file_bytes(known[scene], scene), scene)
+            return _with_ends(_checked(content, scene, scene), options)
         if not _looks_like_path(scene):
             hint = fields.close_matches(scene, known) or "; the command list shows the names"
             raise SceneError(f"no built-in scene and no file of this name{hint}", source=scene)
     elif not isinstance(scene, os.PathLike):
         raise TypeError(f"a scene is a name, a path or a mapping, not {type(scene).__name__}")
-    path = Path(scene)
-    return _checked(_read(path, str(path)), str(path), path.stem)
+    return _from_file(Path(scene), options)
+
+
+def _from_file(path: Path, options: ImportOptions) -> Scene:
+    """Read a file in any format; ends of the command line are in the file's frame."""
+    source = str(path)
+    data = file_bytes(path, source)
+    kind = registry.format_of(path, data)
+    if kind is None:
+        content = parse(data, source)
+        if not registry.is_geojson(content):
+            return _with_ends(_checked(content, source, path.stem), options)
+        kind = registry.GEOJSON
+    imported = registry.read_scene(kind, path, data, options)
+    scene = _checked(imported.content, source, path.stem)
+    return replace(scene, notes=imported.notes, holds_for=imported.holds_for)
+
+
+def _with_ends(scene: Scene, options: ImportOptions) -> Scene:
+    """Put start and goal of the options in place of the scene's own."""
+    return replace(
+        scene,
+        start=scene.start if options.start is None else options.start,
+        goal=scene.goal if options.goal is None else options.goal,
+    )
 
 
 def _looks_like_path(text: str) -> bool:
     """Whether an unknown name is to be opened as a file rather than reported as a misspelling."""
-    if "/" in text or os.sep in text or text.endswith(".json"):
+    if "/" in text or os.sep in text or text.endswith(".json") or registry.known_suffix(text):
         return True
     try:
         return text != "" and Path(text).exists()
@@ -125,7 +165,8 @@ def _looks_like_path(text: str) -> bool:
         return False
 
 
-def _read(path: Path, source: str) -> object:
+def file_bytes(path: Path, source: str) -> bytes:
+    """Return a file's content, up to the largest that is read."""
     try:
         with path.open("rb") as file:
             data = file.read(MAX_FILE_BYTES + 1)
@@ -134,7 +175,7 @@ def _read(path: Path, source: str) -> object:
         raise SceneError(f"cannot read the scene: {reason}", source=source) from None
     if len(data) > MAX_FILE_BYTES:
         raise SceneError(f"is larger than {MAX_FILE_BYTES} bytes", source=source)
-    return parse(data, source)
+    return data
 
 
 def parse(data: bytes, source: str) -> object:

@@ -8,6 +8,7 @@ import platform
 from importlib.metadata import version
 from pathlib import Path
 
+from planar_planner.commands.scene_input import scene_of
 from planar_planner.output import check_writable, emit, written_aside
 
 _STDOUT = "-"
@@ -30,11 +31,12 @@ def run(arguments: argparse.Namespace) -> int:
         if file is not None:
             check_writable(file)
     require_ompl()
-    for scene in arguments.scenes:  # a mistake in the last one shows before the first one's runs
-        check_scene(scene)
     quiet = arguments.json == _STDOUT
+    scenes = [scene_of(arguments, name, quiet=quiet) for name in arguments.scenes]
+    for scene in scenes:  # a mistake in the last one shows before the first one's runs
+        check_scene(scene)
     comparisons = []
-    for scene in arguments.scenes:
+    for scene in scenes:
         comparisons.append(compare(scene, settings))
         if not quiet:
             emit(table(comparisons[-1], settings))

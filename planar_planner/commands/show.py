@@ -5,11 +5,12 @@ from __future__ import annotations
 import argparse
 
 from planar_planner.builtin import manifest
+from planar_planner.commands.scene_input import scene_of
 from planar_planner.errors import one_line
 from planar_planner.fields import Configuration
 from planar_planner.output import check_writable, emit, written_aside
 from planar_planner.problem import Problem, make_problem
-from planar_planner.scene import Scene, load_scene
+from planar_planner.scene import Scene
 from planar_planner.size import scene_size
 
 
@@ -17,7 +18,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Check the scene's shapes, print its facts, draw it if asked."""
     if arguments.plot is not None:
         check_writable(arguments.plot)
-    scene = load_scene(arguments.scene)
+    scene = scene_of(arguments, arguments.scene)
     emit(description(scene, make_problem(scene)))
     if arguments.plot is not None:
         from planar_planner.plot import draw_scene, save_picture

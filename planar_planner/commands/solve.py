@@ -5,15 +5,14 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from planar_planner.arguments import options_of
+from planar_planner.commands.scene_input import scene_of
 from planar_planner.output import OutputError, check_writable, complain, emit, written_aside
 from planar_planner.progress import Progress
 from planar_planner.report import headline, statistics
-from planar_planner.scene import Scene, load_scene
 
 if TYPE_CHECKING:
     from planar_planner.result import Result
@@ -29,7 +28,7 @@ def run(arguments: argparse.Namespace) -> int:
     for file in (json_file, arguments.certificate, arguments.plot):
         if file is not None:
             check_writable(file)
-    scene = _with_overrides(load_scene(arguments.scene), arguments)
+    scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
     from planar_planner.planner import solve  # only now: a misspelt name is answered at once
 
     with Progress(sys.stderr, quiet=arguments.quiet) as progress:
@@ -40,6 +39,8 @@ def run(arguments: argparse.Namespace) -> int:
         _print_json(result)
     else:
         _print_text(result, brief=arguments.quiet or arguments.verdict_only)
+    if scene.holds_for and result.verdict not in (scene.holds_for, "undecided"):
+        complain(one_sided(scene.holds_for))
     if json_file is not None:
         with written_aside(json_file) as aside:
             aside.write_text(as_json(result) + "\n", encoding="utf-8")
@@ -64,13 +65,11 @@ def _write_certificate(result: Result, file: Path) -> None:
         write_certificate(result.certificate, aside, file.name)
 
 
-def _with_overrides(scene: Scene, arguments: argparse.Namespace) -> Scene:
-    """Put start and goal of the command line in place of the scene's own."""
-    return replace(
-        scene,
-        start=scene.start if arguments.start is None else arguments.start,
-        goal=scene.goal if arguments.goal is None else arguments.goal,
-    )
+def one_sided(holds_for: str) -> str:
+    """Return why the other verdict than this one says nothing of a file's curves."""
+    if holds_for == "path":
+        return "curves were flattened outwards: this proof is about outlines; try --flatten inwards"
+    return "curves were flattened inwards: this path is among outlines; try --flatten outwards"
 
 
 def as_json(result: Result) -> str:

@@ -5,14 +5,13 @@ from __future__ import annotations
 import argparse
 import json
 import time
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from planar_planner.commands.scene_input import scene_of
 from planar_planner.errors import one_line
 from planar_planner.options import Options
 from planar_planner.output import check_writable, complain, emit, written_aside
-from planar_planner.scene import load_scene
 
 _STDOUT = "-"
 _VERDICTS = {"path": "path", "no_path": "no path"}
@@ -24,8 +23,7 @@ def run(arguments: argparse.Namespace) -> int:
     json_file = None if arguments.json in (None, _STDOUT) else Path(arguments.json)
     if json_file is not None:
         check_writable(json_file)
-    scene = load_scene(arguments.scene)
-    scene = replace(scene, start=arguments.start or scene.start, goal=arguments.goal or scene.goal)
+    scene = scene_of(arguments, arguments.scene)
     status, finding = _finding(scene, arguments.certificate, tolerance)
     text = json.dumps(finding, indent=1, allow_nan=False)
     if arguments.json == _STDOUT:

@@ -1,0 +1,38 @@
+"""`planar-planner convert`: files in outside formats ⇄ scene files."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Mapping
+from pathlib import Path
+
+from planar_planner.commands.scene_input import scene_of
+from planar_planner.formats.registry import write_scene
+from planar_planner.output import check_writable, emit, written_aside
+from planar_planner.problem import make_problem
+from planar_planner.size import scene_size
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Read, check, write; print what was written. 0 unless the input is wrong."""
+    check_writable(arguments.out)
+    scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
+    make_problem(scene)
+    content = scene.to_dict()
+    files: Mapping[Path, bytes]
+    if arguments.out.suffix.lower() == ".json":
+        text = json.dumps(content, indent=1, allow_nan=False) + "\n"
+        files = {arguments.out: text.encode()}
+    else:
+        files = write_scene(content, arguments.out)
+    for file, data in files.items():
+        check_writable(file)
+        with written_aside(file) as aside:
+            aside.write_bytes(data)
+    size = scene_size(scene)
+    emit(
+        f"{', '.join(map(str, files))}: robot of {size.robot_vertices} vertices, "
+        f"{size.obstacle_polygons} obstacle(s) of {size.obstacle_vertices} vertices"
+    )
+    return 0

@@ -1,0 +1,18 @@
+"""The scene that a command's arguments name, and telling the user what an importer did."""
+
+from __future__ import annotations
+
+import argparse
+
+from planar_planner.import_arguments import import_options
+from planar_planner.output import complain
+from planar_planner.scene import Scene, load_scene
+
+
+def scene_of(arguments: argparse.Namespace, name: str, *, quiet: bool = False) -> Scene:
+    """Load a scene with the ends, robot and readings that the arguments ask for."""
+    scene = load_scene(name, import_options(arguments))
+    if not quiet:
+        for note in scene.notes:
+            complain(f"{name}: {note}")
+    return scene

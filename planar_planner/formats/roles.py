@@ -1,0 +1,35 @@
+"""What the layers, ids, classes and labels of a drawing stand for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fnmatch import fnmatchcase
+
+ROLES = ("robot", "obstacle", "workspace", "start", "goal", "origin", "ignore")
+
+_KNOWN = (
+    ("robot*", "robot"),
+    ("obstacle*", "obstacle"),
+    ("workspace*", "workspace"),
+    ("start*", "start"),
+    ("goal*", "goal"),
+    ("origin*", "origin"),
+)
+
+
+def role_of(names: Iterable[str], given: Iterable[tuple[str, str]]) -> str | None:
+    """Return the role of the first name that a pattern fits; case does not matter.
+
+    Parameters
+    ----------
+    names : iterable of str
+        Of an element, the closest first: its id, label, classes, then those of its groups.
+    given : iterable of (pattern, role)
+        The user's, which come before the known ones; ``*`` stands for any text.
+    """
+    patterns = (*given, *_KNOWN)
+    for name in names:
+        for pattern, role in patterns:
+            if fnmatchcase(name.lower(), pattern.lower()):
+                return role
+    return None

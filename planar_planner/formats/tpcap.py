@@ -1,0 +1,96 @@
+"""Parking-competition cases (TPCAP): start, goal and obstacles as one run of numbers.
+
+x₀, y₀, θ₀, x₁, y₁, θ₁, the number n of obstacles, their n numbers of vertices, then all vertices
+as x, y. Written in a row or a column. The robot is the competition's car, its reference point the
+middle of the rear axle.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+from planar_planner.errors import SceneError
+from planar_planner.fields import Configuration
+from planar_planner.formats.parts import ImportOptions, Notes, Parts, Ring, Shape
+from planar_planner.formats.reading import angle, coordinate, text_of, whole
+from planar_planner.formats.rings import polygons_of
+
+REAR_OVERHANG = 0.929
+WHEELBASE = 2.8
+FRONT_OVERHANG = 0.96
+WIDTH = 1.942
+
+_FRONT = 3.76  # WHEELBASE + FRONT_OVERHANG; their sum as a double is this one
+CAR: Shape = [
+    [
+        (-REAR_OVERHANG, -WIDTH / 2),
+        (_FRONT, -WIDTH / 2),
+        (_FRONT, WIDTH / 2),
+        (-REAR_OVERHANG, WIDTH / 2),
+    ]
+]
+_MOST = 10**6  # obstacles of a case, and vertices of one
+
+
+def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
+    """Read a case."""
+    del path, options
+    values = re.split(r"[,;\s]+", text_of(data).strip(" ,;\t\r\n"))
+    if len(values) < 7:
+        found = len(values) if values[0] else 0
+        raise SceneError(f"a case begins with seven numbers, of which {found} are there")
+    names = [f"value {i + 1}" for i in range(len(values))]
+    start, goal = (_configuration(values, names, first) for first in (0, 3))
+    count = whole(values[6], f"{names[6]} (number of obstacles)", 0, _MOST)
+    sizes = []
+    for k in range(count):
+        place = f"value {8 + k} (vertices of obstacle {k + 1})"
+        if 7 + k >= len(values):
+            raise SceneError("is missing; the file ends before it", place)
+        sizes.append(whole(values[7 + k], place, 1, _MOST))
+    expected = 7 + count + 2 * sum(sizes)
+    if len(values) != expected:
+        raise SceneError(f"has {len(values)} values where {expected} were announced")
+    obstacles: list[Shape] = []
+    at = 7 + count
+    for k, size in enumerate(sizes):
+        ring = [
+            (coordinate(values[i], names[i]), coordinate(values[i + 1], names[i + 1]))
+            for i in range(at, at + 2 * size, 2)
+        ]
+        at += 2 * size
+        obstacles += polygons_of([ring], f"obstacle {k + 1}", notes)
+    return Parts(obstacles=obstacles, robot=[CAR], start=start, goal=goal)
+
+
+def _configuration(values: list[str], names: list[str], first: int) -> Configuration:
+    x, y = (coordinate(values[i], names[i]) for i in (first, first + 1))
+    return x, y, angle(values[first + 2], names[first + 2])
+
+
+def write(parts: Parts, path: Path) -> Mapping[Path, bytes]:
+    """Return a case in one row.
+
+    Raises
+    ------
+    SceneError
+        If the robot is not the competition's car, an obstacle has holes, or the scene has bounds
+        other than those that every case gets.
+    """
+    if parts.robot is None or {p for s in parts.robot for r in s for p in r} != set(CAR[0]):
+        raise SceneError("a parking case holds the competition's car and no other robot", "robot")
+    if parts.workspace is not None or parts.workspace_box is not None:
+        raise SceneError("a parking case cannot hold a workspace", "workspace")
+    if not parts.rotation:
+        raise SceneError("a parking case cannot forbid turning", "rotation")
+    rings: list[Ring] = []
+    for k, shape in enumerate(parts.obstacles):
+        if len(shape) > 1:
+            raise SceneError("a parking case cannot hold holes", f"obstacles[{k}]")
+        rings.append(shape[0])
+    numbers: list[float] = [*(parts.start or ()), *(parts.goal or ()), len(rings)]
+    numbers += [len(ring) for ring in rings]
+    numbers += [value for ring in rings for p in ring for value in p]
+    return {path: (",".join(repr(n) for n in numbers) + "\n").encode("ascii")}
