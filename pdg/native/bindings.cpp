@@ -130,6 +130,7 @@ NB_MODULE(_core, m) {  // NOLINT(bugprone-signed-bitwise): inside the macro
   pdg::python::bind_piece_set(m);
   pdg::python::bind_batches(m);
   pdg::python::bind_depths(m);
+  pdg::python::bind_upper_bounds(m);
   pdg::python::bind_motions(m);
   pdg::python::bind_validity(m);
   pdg::python::bind_sets(m);

@@ -7,12 +7,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "bindings_arrays.hpp"
+#include "bindings_rows.hpp"
 #include "bindings_subjects.hpp"
 #include "c_obstacle_query.hpp"
 #include "displacement.hpp"
@@ -25,39 +25,11 @@ using namespace nb::literals;
 namespace pdg::python {
 namespace {
 
-using Poses = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 using Cells = nb::ndarray<const double, nb::shape<-1, 6>, nb::c_contig, nb::device::cpu>;
 using States = nb::ndarray<nb::numpy, std::uint8_t, nb::shape<-1>>;
 using Lengths = nb::ndarray<nb::numpy, double, nb::shape<-1>>;
 using DepthRows = nb::ndarray<nb::numpy, double, nb::shape<-1, 7>>;
 using IndexPairs = nb::ndarray<nb::numpy, std::int32_t, nb::shape<-1, 2>>;
-
-// Rows between two looks at signals, so that Ctrl-C ends a long batch.
-constexpr std::size_t kRowsBetweenSignals = 4096;
-
-// Calls work(row) for each row without the interpreter's lock. The row at which it threw
-// std::invalid_argument, or -1.
-template <class Work>
-std::int64_t for_each_row(const std::size_t rows, const Work& work) {
-  const nb::gil_scoped_release release;
-  for (std::size_t row = 0; row < rows; ++row) {
-    try {
-      work(row);
-    } catch (const std::invalid_argument&) {
-      return static_cast<std::int64_t>(row);
-    }
-    if ((row + 1) % kRowsBetweenSignals == 0) {
-      const nb::gil_scoped_acquire acquire;
-      if (PyErr_CheckSignals() != 0) throw nb::python_error();
-    }
-  }
-  return -1;
-}
-
-pdg::Pose pose_of(const Poses& poses, const std::size_t row) {
-  const double* q = poses.data() + 3 * row;
-  return {{q[0], q[1]}, q[2]};
-}
 
 // State, and (depth, direction, on_a, on_b) of each row.
 struct DepthColumns {

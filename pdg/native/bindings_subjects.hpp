@@ -9,5 +9,6 @@ void bind_batches(nanobind::module_& m);
 void bind_depths(nanobind::module_& m);
 void bind_grasp(nanobind::module_& m);
 void bind_sets(nanobind::module_& m);
+void bind_upper_bounds(nanobind::module_& m);
 
 }  // namespace pdg::python

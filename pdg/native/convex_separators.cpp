@@ -198,7 +198,7 @@ std::vector<ConvexSeparator> convex_separators(const PieceSet& body) {
     kept.push_back(*std::move(container));
   }
   std::vector<ConvexSeparator> separators;
-  for (Container& container : kept) separators.push_back({std::move(container.sides)});
+  for (Container& container : kept) separators.push_back({std::move(container.sides), maker.error});
   return separators;
 }
 

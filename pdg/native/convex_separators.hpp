@@ -15,9 +15,10 @@ struct HalfPlane {
 };
 
 // The container is the intersection of two or more half-planes. Each convex piece of the body lies
-// beyond one of them, up to the rounding error of a separating-axis function.
+// beyond one of them, up to `error` (length), the rounding of a separating-axis function.
 struct ConvexSeparator {
   std::vector<HalfPlane> sides;
+  double error = 0.0;
 };
 
 // Containers round the pieces of a convex cover of the body's complement, holes included: each such

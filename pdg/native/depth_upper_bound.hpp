@@ -2,9 +2,12 @@
 // it ([PDG] section 6.2).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "containment.hpp"
 #include "convex_separators.hpp"
 #include "generalized_depth.hpp"
 #include "piece_set.hpp"
@@ -36,6 +39,9 @@ struct DepthUpperBound {
 struct UpperBoundScratch {
   DepthScratch depth;
   ConvexPolygon hull;  // A's, placed
+  TurningBody body;
+  ContainmentScratch containment;
+  std::vector<std::pair<double, std::size_t>> order;  // least_way_in and index of separators
 };
 
 // UB2: PD^t of the convex hulls ([PDG] section 6.2.2), 0 where their interiors are disjoint. The

@@ -29,17 +29,13 @@ double moved(const RelativeMotion& motion, const Vec2 v) {
 
 double largest_distance(const PieceSet& body, const Vec2 c) {
   double r = 0.0;
-  for (const ConvexPolygon& polygon : body.polygons) {
-    for (const Vec2 v : polygon) r = std::max(r, std::hypot(v.x - c.x, v.y - c.y));
-  }
+  for (const Vec2 v : body.hull) r = std::max(r, std::hypot(v.x - c.x, v.y - c.y));
   return r;
 }
 
 double displacement(const PieceSet& body, const RelativeMotion& motion) {
   double most = 0.0;
-  for (const ConvexPolygon& polygon : body.polygons) {
-    for (const Vec2 v : polygon) most = std::max(most, moved(motion, v));
-  }
+  for (const Vec2 v : body.hull) most = std::max(most, moved(motion, v));
   return most;
 }
 
