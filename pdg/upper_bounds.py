@@ -140,7 +140,8 @@ def convex_separators(B: Any) -> ConvexSeparators:
     A separator in the sense of [PDG] section 6.2.3 is the boundary of such a container. Each piece
     of a convex cover of the complement is relaxed to an intersection of half-planes that still
     leaves out every convex piece of the body; containers inside others are dropped, and so are
-    single half-planes, which the convex hulls account for ([PDG] sections 6.2.2 and 6.2.4). Where
+    those beyond a line from the whole body, which the convex hulls account for ([PDG] sections
+    6.2.2 and 6.2.4). Where
     polygons of one body cross each other, gaps that only several of them enclose are not searched.
 
     Parameters

@@ -134,6 +134,21 @@ void drop_redundant_sides(Container& container, const double error) {
   });
 }
 
+// Whether a line separates the container from the body's hull: taking the hulls apart does better.
+bool is_outside_hull(const Maker& maker, const Container& container) {
+  const auto separates = [&](const HalfPlane& line, const ConvexPolygon& other) {
+    return least_value(line, other) >= -maker.error;
+  };
+  const ConvexPolygon& hull = maker.body.hull;
+  const ConvexPiece piece = make_piece(hull, Frame{});
+  return std::any_of(piece.edges.begin(), piece.edges.end(),
+                     [&](const Edge& edge) {
+                       return separates({edge.normal, edge.offset}, container.region);
+                     }) ||
+         std::any_of(container.sides.begin(), container.sides.end(),
+                     [&](const HalfPlane& side) { return separates(side, hull); });
+}
+
 bool is_inside(const Container& inner, const Container& outer, const double error) {
   return std::all_of(outer.sides.begin(), outer.sides.end(), [&](const HalfPlane& side) {
     return std::all_of(inner.region.begin(), inner.region.end(),
@@ -186,7 +201,7 @@ std::vector<ConvexSeparator> convex_separators(const PieceSet& body) {
     std::optional<Container> container = grown(maker, seed);
     if (!container) continue;
     drop_redundant_sides(*container, maker.error);
-    if (container->sides.size() < 2) continue;
+    if (is_outside_hull(maker, *container)) continue;
     const auto inside = [&](const Container& inner, const Container& outer) {
       return is_inside(inner, outer, maker.error);
     };

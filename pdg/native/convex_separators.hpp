@@ -24,7 +24,8 @@ struct ConvexSeparator {
 // Containers round the pieces of a convex cover of the body's complement, holes included: each such
 // piece is relaxed to an intersection of half-planes, one for each piece of the body that would
 // otherwise meet it; of the lines along edges that do so the one that leaves most room. Containers
-// inside others, and single half-planes, which the convex hulls account for, are left out. Needs
+// inside others, and those beyond a line from all of the body, which the convex hulls account for,
+// are left out. Needs
 // body.outline. Where polygons of one body cross, the gaps that several of them enclose are not
 // searched. Deterministic.
 std::vector<ConvexSeparator> convex_separators(const PieceSet& body);
