@@ -98,6 +98,7 @@ std::vector<std::size_t> by_distance(const PieceSet& body, const ConvexPiece& se
   }
   std::sort(order.begin(), order.end());
   std::vector<std::size_t> indices;
+  indices.reserve(order.size());
   for (const auto& [separation, j] : order) indices.push_back(j);
   return indices;
 }
@@ -213,6 +214,7 @@ std::vector<ConvexSeparator> convex_separators(const PieceSet& body) {
     kept.push_back(*std::move(container));
   }
   std::vector<ConvexSeparator> separators;
+  separators.reserve(kept.size());
   for (Container& container : kept) separators.push_back({std::move(container.sides), maker.error});
   return separators;
 }

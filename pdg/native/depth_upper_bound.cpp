@@ -1,11 +1,11 @@
 #include "depth_upper_bound.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "displacement.hpp"
 #include "tolerances.hpp"
-#include "translational_depth.hpp"
 
 namespace pdg {
 namespace {
@@ -13,26 +13,40 @@ namespace {
 // Doublings of the way beyond touching before a placement is given up.
 constexpr int kMostDoublings = 4;
 
-void place_hull(const PieceSet& body, const Pose& pose, ConvexPolygon& result) {
-  const Rotation rotation = rotation_of(pose.theta);
-  result.clear();
-  for (const Vec2 v : body.hull) result.push_back(rotate(rotation, v) + pose.t);
+// Whether all of A's vertices, placed in doubles, are beyond the line along B's hull: for certain,
+// as the hull is beyond it by more than all rounding, that of vertices within it included.
+bool is_beyond(const PlacedBody& hull, const PieceSet& b, const Vec2 normal) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (const Vec2 v : hull.vertices) least = std::min(least, dot(normal, v));
+  for (const Vec2 v : b.hull) most = std::max(most, dot(normal, v));
+  return least - most > hull.error;
 }
 
 }  // namespace
 
 DepthUpperBound hull_upper_bound(const PieceSet& a, const PieceSet& b, const Pose& pose,
                                  UpperBoundScratch& scratch) {
-  place_hull(a, pose, scratch.hull);
-  const TranslationalDepth depth = translational_depth(scratch.hull, b.hull);
+  PlacedBody& hull = scratch.hull;
+  place_hull(a, pose, b.radius, hull);
   DepthUpperBound bound;
   bound.displaced = bound.distanced = {pose, UpperBoundSource::kHulls, -1};
-  if (depth.state != PairState::kOverlap) return bound;
-  double beyond =
-      kSeparationErrorUnits * kUnitRoundoff * (a.radius + b.radius + norm(pose.t) + depth.depth);
+  const Separation separation =
+      pair_separation(hull, 0, b.hull_piece, std::numeric_limits<double>::infinity());
+  // Decided exactly where rounding leaves it open.
+  if (separation.value > hull.error || (separation.value >= -hull.error &&
+                                        pair_state(hull.vertices, b.hull) != PairState::kOverlap)) {
+    return bound;
+  }
+  const double depth = std::max(-separation.value, 0.0);
+  double beyond = 4.0 * hull.error;
   for (int attempt = 0; attempt <= kMostDoublings; ++attempt, beyond *= 2.0) {
-    const Pose moved{pose.t + (depth.depth + beyond) * depth.direction, pose.theta};
-    if (!interiors_are_disjoint(a, b, moved, scratch.depth)) continue;
+    const Pose moved{pose.t + (depth + beyond) * separation.normal, pose.theta};
+    place_hull(a, moved, b.radius, hull);
+    if (!is_beyond(hull, b, separation.normal) &&
+        !interiors_are_disjoint(a, b, moved, scratch.depth)) {
+      continue;
+    }
     bound.displaced.pose = bound.distanced.pose = moved;
     bound.displacement = bound.distance = norm(moved.t - pose.t);
     return bound;

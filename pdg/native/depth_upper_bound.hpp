@@ -38,16 +38,15 @@ struct DepthUpperBound {
 
 struct UpperBoundScratch {
   DepthScratch depth;
-  ConvexPolygon hull;  // A's, placed
+  PlacedBody hull;  // A's
   TurningBody body;
   ContainmentScratch containment;
   std::vector<std::pair<double, std::size_t>> order;  // least_way_in and index of separators
 };
 
 // UB2: PD^t of the convex hulls ([PDG] section 6.2.2), 0 where their interiors are disjoint. The
-// translation goes beyond touching by the rounding error of a separating-axis function, or by as
-// little more as the exact test asks for. Throws std::invalid_argument for coordinates outside the
-// range of predicates.hpp.
+// translation goes beyond touching by four times the rounding error of a separating-axis function:
+// that error at either configuration, and as much again to confirm.
 DepthUpperBound hull_upper_bound(const PieceSet& a, const PieceSet& b, const Pose& pose,
                                  UpperBoundScratch& scratch);
 

@@ -10,6 +10,8 @@
 namespace pdg {
 namespace {
 
+constexpr std::minstd_rand::result_type kShuffleSeed = 1;
+
 bool holds(const Circle& circle, const Vec2 p) {
   return norm(p - circle.centre) <= circle.radius * kRadiusPadding;
 }
@@ -55,8 +57,8 @@ Circle round_with(const std::span<const Vec2> points, const Vec2 first) {
 }  // namespace
 
 Circle smallest_enclosing_circle(std::vector<Vec2> points) {
-  std::minstd_rand
-      order;  // its numbers are fixed by the standard; std::shuffle's use of them is not
+  // The same numbers each time, and everywhere: std::shuffle's use of them would not be.
+  std::minstd_rand order(kShuffleSeed);  // NOLINT(bugprone-random-generator-seed)
   for (std::size_t k = points.size(); k > 1; --k) std::swap(points[k - 1], points[order() % k]);
   Circle circle;
   for (std::size_t k = 0; k < points.size(); ++k) {

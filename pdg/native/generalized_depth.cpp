@@ -1,7 +1,9 @@
 #include "generalized_depth.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <stdexcept>
+
+#include "predicates.hpp"
 
 namespace pdg {
 namespace {
@@ -25,7 +27,7 @@ void find_deepest(const PieceSet& a, const PieceSet& b, DepthScratch& scratch) {
       a.tree, scratch.placed.boxes, b.tree,
       [&](const double depth) { return depth > 0.0 && depth > best - slack; },
       [&](const std::size_t i, const std::size_t j) {
-        const double depth = -pair_separation(scratch.placed, i, b.pieces[j], slack - best);
+        const double depth = -pair_separation(scratch.placed, i, b.pieces[j], slack - best).value;
         if (depth <= best - slack) return;
         scratch.candidates.push_back({depth, i, j});
         best = std::max(best, depth);
@@ -39,6 +41,15 @@ void find_deepest(const PieceSet& a, const PieceSet& b, DepthScratch& scratch) {
 }
 
 }  // namespace
+
+bool overlap_exactly(const ConvexPolygon& a, const ConvexPolygon& b) {
+  for (const ConvexPolygon* polygon : {&a, &b}) {
+    if (!std::all_of(polygon->begin(), polygon->end(), in_exact_range)) {
+      throw std::invalid_argument("coordinate outside the range of exact arithmetic");
+    }
+  }
+  return pair_state(a, b) == PairState::kOverlap;
+}
 
 DepthLowerBound generalized_depth_lower_bound(const PieceSet& a, const PieceSet& b,
                                               const Pose& pose, DepthScratch& scratch) {
@@ -71,11 +82,11 @@ bool interiors_are_disjoint(const PieceSet& a, const PieceSet& b, const Pose& po
       a.tree, scratch.placed.boxes, b.tree,
       [&](const double depth) { return disjoint && depth > 0.0; },
       [&](const std::size_t i, const std::size_t j) {
-        const double separation = pair_separation(scratch.placed, i, b.pieces[j], error);
+        const double separation = pair_separation(scratch.placed, i, b.pieces[j], error).value;
         if (separation >= error) return;
         // Decided exactly where rounding leaves it open.
-        disjoint = separation > -error &&
-                   pair_state(piece_at(scratch.placed, i), b.polygons[j]) != PairState::kOverlap;
+        disjoint =
+            separation > -error && !overlap_exactly(piece_at(scratch.placed, i), b.polygons[j]);
       })
       .run();
   return disjoint;

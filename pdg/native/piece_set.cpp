@@ -26,6 +26,7 @@ PieceSet make_piece_set(std::vector<ConvexPolygon> polygons) {
   }
   set.tree = build_box_tree(boxes);
   set.hull = convex_hull(set.polygons);
+  if (!set.hull.empty()) set.hull_piece = make_piece(set.hull, Frame{});
   return set;
 }
 

@@ -24,6 +24,7 @@ struct PieceSet {
   double radius = 0.0;              // the largest of them
   BoxTree tree;                     // over the pieces' boxes
   ConvexPolygon hull;               // of all pieces
+  ConvexPiece hull_piece;           // the same, in the unshifted frame
   std::vector<Polygon> outline;     // the polygons whose union the pieces are, where they are known
 };
 

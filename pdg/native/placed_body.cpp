@@ -52,26 +52,44 @@ std::size_t farthest_edge(const std::size_t count, const Vec2 point, const LineA
   return farthest;
 }
 
+void clear(PlacedBody& body) {
+  body.vertices.clear();
+  body.normals.clear();
+  body.offsets.clear();
+  body.centres.clear();
+  body.first.assign(1, 0);
+  body.boxes.clear();
+}
+
+void add(const ConvexPiece& piece, const Rotation& rotation, const Vec2 t, PlacedBody& body) {
+  for (const Edge& edge : piece.edges) {
+    const Vec2 vertex = rotate(rotation, edge.vertex) + t;
+    const Vec2 normal = rotate(rotation, edge.normal);
+    body.vertices.push_back(vertex);
+    body.normals.push_back(normal);
+    body.offsets.push_back(dot(normal, vertex));
+  }
+  body.centres.push_back(rotate(rotation, piece.centre) + t);
+  body.first.push_back(static_cast<std::uint32_t>(body.vertices.size()));
+}
+
+double error_of(const PieceSet& body, const Pose& pose, const double other_radius) {
+  return kSeparationErrorUnits * kUnitRoundoff * (body.radius + other_radius + norm(pose.t));
+}
+
 }  // namespace
+
+void place_hull(const PieceSet& body, const Pose& pose, const double other_radius,
+                PlacedBody& result) {
+  clear(result);
+  add(body.hull_piece, rotation_of(pose.theta), pose.t, result);
+  result.error = error_of(body, pose, other_radius);
+}
 
 void place(const PieceSet& body, const Pose& pose, const double other_radius, PlacedBody& result) {
   const Rotation rotation = rotation_of(pose.theta);
-  result.vertices.clear();
-  result.normals.clear();
-  result.offsets.clear();
-  result.centres.clear();
-  result.first.assign(1, 0);
-  for (const ConvexPiece& piece : body.pieces) {
-    for (const Edge& edge : piece.edges) {
-      const Vec2 vertex = rotate(rotation, edge.vertex) + pose.t;
-      const Vec2 normal = rotate(rotation, edge.normal);
-      result.vertices.push_back(vertex);
-      result.normals.push_back(normal);
-      result.offsets.push_back(dot(normal, vertex));
-    }
-    result.centres.push_back(rotate(rotation, piece.centre) + pose.t);
-    result.first.push_back(static_cast<std::uint32_t>(result.vertices.size()));
-  }
+  clear(result);
+  for (const ConvexPiece& piece : body.pieces) add(piece, rotation, pose.t, result);
   const std::vector<BoxTree::Node>& nodes = body.tree.nodes;
   result.boxes.resize(nodes.size());
   for (std::size_t n = nodes.size(); n-- > 0;) {  // children before their parents
@@ -83,18 +101,17 @@ void place(const PieceSet& body, const Pose& pose, const double other_radius, Pl
       result.boxes[n] = joined(result.boxes[n + 1], result.boxes[nodes[n + 1].after]);
     }
   }
-  result.error =
-      kSeparationErrorUnits * kUnitRoundoff * (body.radius + other_radius + norm(pose.t));
+  result.error = error_of(body, pose, other_radius);
 }
 
-double pair_separation(const PlacedBody& a, const std::size_t i, const ConvexPiece& b,
-                       const double enough) {
+Separation pair_separation(const PlacedBody& a, const std::size_t i, const ConvexPiece& b,
+                           const double enough) {
   const std::size_t begin = a.first[i];
   const std::size_t count_a = a.first[i + 1] - begin;
   const std::size_t count_b = b.edges.size();
   const auto vertex_of_a = [&](const std::size_t k) { return a.vertices[begin + k]; };
   const auto vertex_of_b = [&](const std::size_t k) { return b.edges[k].vertex; };
-  double separation = -kInfinity;
+  Separation separation{-kInfinity, {}};
   // The axes most likely to separate come first: the others are then soon beaten.
   const std::size_t first_b = farthest_edge(count_b, a.centres[i], [&](const std::size_t k) {
     return std::pair{b.edges[k].normal, b.edges[k].offset};
@@ -102,10 +119,11 @@ double pair_separation(const PlacedBody& a, const std::size_t i, const ConvexPie
   std::size_t hint = 0;
   for (std::size_t step = 0, k = first_b; step < count_b; ++step) {
     const Edge& edge = b.edges[k];
-    const Support s = least_over(count_a, vertex_of_a, edge.normal, edge.offset, hint, separation);
+    const Support s =
+        least_over(count_a, vertex_of_a, edge.normal, edge.offset, hint, separation.value);
     hint = s.vertex;
-    separation = std::max(separation, s.separation);
-    if (separation >= enough) return separation;
+    if (s.separation > separation.value) separation = {s.separation, edge.normal};
+    if (separation.value >= enough) return separation;
     if (++k == count_b) k = 0;
   }
   const std::size_t first_a = farthest_edge(count_a, b.centre, [&](const std::size_t k) {
@@ -114,10 +132,12 @@ double pair_separation(const PlacedBody& a, const std::size_t i, const ConvexPie
   hint = 0;
   for (std::size_t step = 0, k = first_a; step < count_a; ++step) {
     const Support s = least_over(count_b, vertex_of_b, a.normals[begin + k], a.offsets[begin + k],
-                                 hint, separation);
+                                 hint, separation.value);
     hint = s.vertex;
-    separation = std::max(separation, s.separation);
-    if (separation >= enough) return separation;
+    if (s.separation > separation.value) {
+      separation = {s.separation, -a.normals[begin + k]};
+    }
+    if (separation.value >= enough) return separation;
     if (++k == count_a) k = 0;
   }
   return separation;

@@ -27,10 +27,18 @@ struct PlacedBody {
 // kSeparationErrorUnits u (A + B + T), between exact values and those of pair_separation.
 void place(const PieceSet& body, const Pose& pose, double other_radius, PlacedBody& result);
 
+// The same of the body's hull, as one piece without boxes.
+void place_hull(const PieceSet& body, const Pose& pose, double other_radius, PlacedBody& result);
+
+struct Separation {
+  double value = 0.0;
+  Vec2 normal;  // unit; moving A along it lessens an overlap
+};
+
 // Largest separating-axis function of piece i of `a` and a piece of the fixed body: minus PD^t
 // where they overlap. Within a.error of the exact one. Stops at the first axis that reaches
-// `enough`, and then returns that axis's value.
-double pair_separation(const PlacedBody& a, std::size_t i, const ConvexPiece& b, double enough);
+// `enough`, and then gives that one.
+Separation pair_separation(const PlacedBody& a, std::size_t i, const ConvexPiece& b, double enough);
 
 // The shortest translation along an axis that takes two boxes apart: their contents' PD^t is at
 // most that. Positive exactly when the boxes' interiors meet.
