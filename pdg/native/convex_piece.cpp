@@ -1,7 +1,9 @@
 #include "convex_piece.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "tolerances.hpp"
@@ -10,27 +12,41 @@ namespace pdg {
 
 namespace {
 
-// Outward unit normal of the directed edge a -> b of a counter-clockwise ring. Scaled by a power
-// of two first, so that tiny and huge edges neither underflow nor overflow.
-Vec2 outward_normal(const Vec2 a, const Vec2 b, const int exponent) {
-  Vec2 along{std::ldexp(b.x, exponent) - std::ldexp(a.x, exponent),
-             std::ldexp(b.y, exponent) - std::ldexp(a.y, exponent)};
-  const int shift = -std::ilogb(std::max(std::abs(along.x), std::abs(along.y)));
-  along = {std::ldexp(along.x, shift), std::ldexp(along.y, shift)};
+// Squares of such coordinates neither underflow nor overflow, and have room to be added.
+constexpr double kLeastSquared = 0x1p-400;
+constexpr double kLargestSquared = 0x1p400;
+
+// Outward unit normal of the directed edge a -> b of a counter-clockwise ring. Tiny and huge edges
+// are scaled by a power of two first.
+Vec2 outward_normal(const Vec2 a, const Vec2 b, const double scale) {
+  Vec2 along{b.x * scale - a.x * scale, b.y * scale - a.y * scale};
+  const double largest = std::max(std::abs(along.x), std::abs(along.y));
+  if (!(largest >= kLeastSquared && largest <= kLargestSquared)) {
+    const int shift = -std::ilogb(largest);
+    along = {std::ldexp(along.x, shift), std::ldexp(along.y, shift)};
+  }
   const double length = norm(along);
   return {along.y / length, -along.x / length};
+}
+
+// 2^exponent, of coordinates that predicates.hpp admits always a normal double: multiplying by it
+// rounds as ldexp does.
+double frame_scale(const Frame& frame) {
+  constexpr int kBias = 1023;
+  constexpr int kFractionBits = 52;
+  return std::bit_cast<double>(static_cast<std::uint64_t>(frame.exponent + kBias) << kFractionBits);
 }
 
 }  // namespace
 
 Vec2 to_frame(const Frame& frame, const Vec2 point) {
-  const int e = frame.exponent;
-  return {std::ldexp(point.x, e) - std::ldexp(frame.origin.x, e),
-          std::ldexp(point.y, e) - std::ldexp(frame.origin.y, e)};
+  const double scale = frame_scale(frame);
+  return {point.x * scale - frame.origin.x * scale, point.y * scale - frame.origin.y * scale};
 }
 
 ConvexPiece make_piece(const ConvexPolygon& polygon, const Frame& frame) {
   ConvexPiece piece;
+  const double scale = frame_scale(frame);
   const std::size_t n = polygon.size();
   piece.edges.resize(n);
   piece.vertex_count = static_cast<int>(n);
@@ -39,7 +55,7 @@ ConvexPiece make_piece(const ConvexPolygon& polygon, const Frame& frame) {
   for (std::size_t k = 0; k < n; ++k) {
     Edge& edge = piece.edges[k];
     edge.vertex = to_frame(frame, polygon[k]);
-    edge.normal = outward_normal(polygon[k], polygon[(k + 1) % n], frame.exponent);
+    edge.normal = outward_normal(polygon[k], polygon[(k + 1) % n], scale);
     edge.offset = dot(edge.normal, edge.vertex);
     low = {std::min(low.x, edge.vertex.x), std::min(low.y, edge.vertex.y)};
     high = {std::max(high.x, edge.vertex.x), std::max(high.y, edge.vertex.y)};

@@ -87,7 +87,10 @@ void merge(PartRings& r, const Index h) {
   for (const Index e : {h, t}) r.next[at(e)] = kNone;
 }
 
-// Orders of merging that are tried; the first that reaches the lower bound of parts ends it.
+// Orders of merging that are tried; the first that reaches the lower bound of parts ends it. They
+// spare a tenth of the parts of polygons with a dozen vertices, and a hundredth of a hundred's:
+// those of more diagonals than this are merged once.
+constexpr std::size_t kMostDiagonalsOfOrders = 40;
 constexpr std::uint64_t kMergeOrders = 6;
 
 // A fixed factor in [0.5, 1) for the diagonal of two points, different in every order but the
@@ -160,14 +163,15 @@ PartRings merged_parts(const Triangulation& triangulation) {
   const PartRings triangles = rings_of_triangles(triangulation);
   const std::vector<Diagonal> diagonals = diagonals_of(triangles);
   const std::size_t must_stay = (reflex_count(triangles, triangulation.points) + 1) / 2;
-  PartRings best;
+  PartRings best, rings;
   std::size_t most = 0;
-  for (std::uint64_t order = 0; order < kMergeOrders; ++order) {
-    PartRings rings = triangles;
+  const std::uint64_t orders = diagonals.size() <= kMostDiagonalsOfOrders ? kMergeOrders : 1;
+  for (std::uint64_t order = 0; order < orders; ++order) {
+    rings = triangles;
     const std::size_t merged = merge_parts(rings, triangulation.points, diagonals, order);
     if (order == 0 || merged > most) {
       most = merged;
-      best = std::move(rings);
+      std::swap(best, rings);
     }
     if (most + must_stay >= diagonals.size()) break;
   }

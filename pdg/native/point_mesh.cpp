@@ -15,7 +15,7 @@ constexpr std::size_t at(const Index i) {
 
 // Sine of the least angle of a triangle, in plain doubles; 0 for a degenerate result. The points
 // are taken in increasing order, so a triangle always gets one and the same value.
-double angle_measure(const PointMesh& mesh, Index a, Index b, Index c) {
+double least_sine(const PointMesh& mesh, Index a, Index b, Index c) {
   if (a > b) std::swap(a, b);
   if (b > c) std::swap(b, c);
   if (a > b) std::swap(a, b);
@@ -31,6 +31,15 @@ double angle_measure(const PointMesh& mesh, Index a, Index b, Index c) {
   return sine > 0.0 ? sine : 0.0;
 }
 
+double measure(PointMesh& mesh, const Index triangle) {
+  double& known = mesh.least_sine[at(triangle)];
+  if (known == kUnmeasured) {
+    const Index h = 3 * triangle;
+    known = least_sine(mesh, mesh.from(h), mesh.from(h + 1), mesh.from(h + 2));
+  }
+  return known;
+}
+
 }  // namespace
 
 void link(PointMesh& mesh, const Index a, const Index b) {
@@ -44,10 +53,16 @@ Index add_triangle(PointMesh& mesh, const Index a, const Index b, const Index c)
   mesh.twin.insert(mesh.twin.end(), {kNone, kNone, kNone});
   mesh.fixed.insert(mesh.fixed.end(), {0, 0, 0});
   mesh.odd.insert(mesh.odd.end(), {0, 0, 0});
+  mesh.least_sine.push_back(kUnmeasured);
   mesh.outgoing[at(a)] = h;
   mesh.outgoing[at(b)] = h + 1;
   mesh.outgoing[at(c)] = h + 2;
   return h;
+}
+
+void replace_corner(PointMesh& mesh, const Index h, const Index v) {
+  mesh.origin[at(h)] = v;
+  mesh.least_sine[at(h / 3)] = kUnmeasured;
 }
 
 Index rotate_ccw(const PointMesh& mesh, const Index h) {
@@ -107,8 +122,8 @@ void flip(PointMesh& mesh, const Index h) {
   };
   move_outer(h, tn);
   move_outer(t, hn);
-  mesh.origin[at(hn)] = x;
-  mesh.origin[at(tn)] = w;
+  replace_corner(mesh, hn, x);
+  replace_corner(mesh, tn, w);
   link(mesh, hn, tn);
   for (const Index d : {hn, tn}) {
     mesh.fixed[at(d)] = 0;
@@ -122,7 +137,7 @@ void flip(PointMesh& mesh, const Index h) {
 // measure is strictly greater, so the sorted list of all measures grows lexicographically with
 // every flip, whatever the rounding: no triangulation comes twice, and there are finitely many.
 // (In exact arithmetic the result is the constrained Delaunay triangulation.)
-void improve_angles(PointMesh& mesh, std::vector<Index> half_edges) {
+void improve_angles(PointMesh& mesh, std::vector<Index>& half_edges) {
   while (!half_edges.empty()) {
     const Index h = half_edges.back();
     half_edges.pop_back();
@@ -132,10 +147,14 @@ void improve_angles(PointMesh& mesh, std::vector<Index> half_edges) {
     const Index v = mesh.from(t);
     const Index w = mesh.from(PointMesh::prev(h));
     const Index x = mesh.from(PointMesh::prev(t));
-    const double now = std::min(angle_measure(mesh, u, v, w), angle_measure(mesh, v, u, x));
-    const double flipped = std::min(angle_measure(mesh, u, x, w), angle_measure(mesh, x, v, w));
-    if (!(flipped > now)) continue;
+    const double now = std::min(measure(mesh, h / 3), measure(mesh, t / 3));
+    const double first = least_sine(mesh, u, x, w);
+    if (!(first > now)) continue;
+    const double second = least_sine(mesh, x, v, w);
+    if (!(second > now)) continue;
     flip(mesh, h);
+    mesh.least_sine[at(h / 3)] = first;
+    mesh.least_sine[at(t / 3)] = second;
     const Index outer[] = {h, PointMesh::prev(h), t, PointMesh::prev(t)};
     half_edges.insert(half_edges.end(), std::begin(outer), std::end(outer));
   }

@@ -15,6 +15,8 @@ namespace pdg {
 using Index = std::int32_t;
 inline constexpr Index kNone = -1;
 
+inline constexpr double kUnmeasured = -1.0;
+
 struct PointMesh {
   std::vector<Vec2> points;         // distinct, sorted lexicographically
   std::vector<Index> origin;        // per half-edge: point
@@ -23,6 +25,7 @@ struct PointMesh {
   std::vector<std::uint8_t> odd;    // per half-edge: covered by an odd number of constraints
   std::vector<Index> outgoing;      // per point: one half-edge that starts there, or kNone
   std::vector<Index> hull_edge;     // per hull point: the hull half-edge that starts there
+  std::vector<double> least_sine;   // per triangle: of its least angle, or kUnmeasured
   std::uint64_t steps = 0;          // work spent on constraints
 
   static constexpr Index next(const Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -43,6 +46,9 @@ void link(PointMesh& mesh, Index a, Index b);
 // b.
 Index add_triangle(PointMesh& mesh, Index a, Index b, Index c);
 
+// Lets the half-edge h start at the point v instead.
+void replace_corner(PointMesh& mesh, Index h, Index v);
+
 // First half-edge of v in counter-clockwise order: the hull's one when v is on the hull.
 Index first_outgoing(const PointMesh& mesh, Index v);
 
@@ -59,7 +65,8 @@ bool can_flip(const PointMesh& mesh, Index h);
 void flip(PointMesh& mesh, Index h);
 
 // Flips every flippable edge reachable from the given ones while that enlarges the smaller of the
-// two triangles' least angles. Always ends: see the comment at the definition.
-void improve_angles(PointMesh& mesh, std::vector<Index> half_edges);
+// two triangles' least angles; takes the edges out of the list. Always ends: see the comment at the
+// definition.
+void improve_angles(PointMesh& mesh, std::vector<Index>& half_edges);
 
 }  // namespace pdg

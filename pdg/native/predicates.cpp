@@ -1,4 +1,4 @@
-// Orientation by a floating-point filter, then by exact expansion arithmetic
+// Orientation by exact expansion arithmetic
 // (Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates).
 // Needs IEEE doubles, rounding to nearest, and no contraction (-ffp-contract=off).
 #include "predicates.hpp"
@@ -12,13 +12,6 @@ namespace pdg {
 namespace {
 
 static_assert(std::numeric_limits<double>::is_iec559);
-
-// Filter bound: with l = (ax - cx)(by - cy) and r = (ay - cy)(bx - cx), each difference and each
-// product carries one relative rounding u = 2^-53 and their difference another, so
-// |fl(l - r) - (l - r)| <= (3u + O(u^2)) (|fl l| + |fl r|); 16 u^2 covers the higher orders and
-// the rounding of the bound itself (Shewchuk's ccwerrboundA).
-constexpr double kUnitRoundoff = 0x1p-53;
-constexpr double kFilter = (3.0 + 16.0 * kUnitRoundoff) * kUnitRoundoff;
 
 // An unevaluated exact sum hi + lo.
 struct TwoTerms {
@@ -71,23 +64,13 @@ struct Expansion {
   int sign() const { return size == 0 ? 0 : (terms[size - 1] > 0.0 ? 1 : -1); }
 };
 
+}  // namespace
+
 int orient2d_exact(const Vec2 a, const Vec2 b, const Vec2 c) {
   Expansion det;
   det.add_product(two_sum(a.x, -c.x), two_sum(b.y, -c.y), 1.0);
   det.add_product(two_sum(a.y, -c.y), two_sum(b.x, -c.x), -1.0);
   return det.sign();
-}
-
-}  // namespace
-
-int orient2d(const Vec2 a, const Vec2 b, const Vec2 c) {
-  const double left = (a.x - c.x) * (b.y - c.y);
-  const double right = (a.y - c.y) * (b.x - c.x);
-  const double det = left - right;
-  const double bound = kFilter * (std::abs(left) + std::abs(right));
-  if (det > bound) return 1;
-  if (-det > bound) return -1;
-  return orient2d_exact(a, b, c);
 }
 
 bool turns_left_or_straight(const Vec2 p, const Vec2 u, const Vec2 q) {

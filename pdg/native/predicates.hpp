@@ -1,6 +1,8 @@
 // Exact geometric predicates on doubles.
 #pragma once
 
+#include <cmath>
+
 #include "vec.hpp"
 
 namespace pdg {
@@ -12,10 +14,28 @@ namespace pdg {
 inline constexpr double kMinCoordinate = 0x1p-485;
 inline constexpr double kMaxCoordinate = 0x1p500;
 
+// Filter bound: with l = (ax - cx)(by - cy) and r = (ay - cy)(bx - cx), each difference and each
+// product carries one relative rounding u = 2^-53 and their difference another, so
+// |fl(l - r) - (l - r)| <= (3u + O(u^2)) (|fl l| + |fl r|); 16 u^2 covers the higher orders and
+// the rounding of the bound itself (Shewchuk's ccwerrboundA).
+inline constexpr double kOrientationFilter = (3.0 + 16.0 * 0x1p-53) * 0x1p-53;
+
+// orient2d by expansions alone.
+int orient2d_exact(Vec2 a, Vec2 b, Vec2 c);
+
 // Sign of twice the signed area of the triangle (a, b, c): +1 when c is strictly left of the
 // directed line a -> b, 0 when the three are exactly collinear, -1 when c is strictly right.
 // True of the exact doubles given.
-int orient2d(Vec2 a, Vec2 b, Vec2 c);
+// By a floating-point filter in most cases, else by exact expansion arithmetic.
+inline int orient2d(const Vec2 a, const Vec2 b, const Vec2 c) {
+  const double left = (a.x - c.x) * (b.y - c.y);
+  const double right = (a.y - c.y) * (b.x - c.x);
+  const double det = left - right;
+  const double bound = kOrientationFilter * (std::abs(left) + std::abs(right));
+  if (det > bound) return 1;
+  if (-det > bound) return -1;
+  return orient2d_exact(a, b, c);
+}
 
 // Lexicographic order by (x, y); exact.
 constexpr bool lexicographically_less(const Vec2 a, const Vec2 b) {

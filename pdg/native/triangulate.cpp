@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "constraint.hpp"
 #include "triangulate_points.hpp"
+#include "triangulate_sweep.hpp"
 
 namespace pdg {
 namespace {
@@ -61,20 +64,28 @@ Triangulation interior(const PointMesh& mesh) {
   return result;
 }
 
-}  // namespace
-
-Triangulation triangulate(const Polygon& polygon) {
+// All points triangulated, then the edges put in: for any polygon.
+PointMesh triangulate_constrained(const Polygon& polygon) {
   PointMesh mesh = triangulate_points(distinct_points(polygon));
-  if (mesh.triangle_count() == 0) return {};
+  if (mesh.triangle_count() == 0) return mesh;
   for (const Ring& ring : polygon.rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2 next = ring[i + 1 == ring.size() ? 0 : i + 1];
       insert_constraint(mesh, index_of(mesh.points, ring[i]), index_of(mesh.points, next));
     }
   }
+  return mesh;
+}
+
+}  // namespace
+
+Triangulation triangulate(const Polygon& polygon) {
+  std::optional<PointMesh> swept = triangulate_sweep(polygon);
+  PointMesh mesh = swept ? *std::move(swept) : triangulate_constrained(polygon);
+  if (mesh.triangle_count() == 0) return {};
   std::vector<Index> all(mesh.origin.size());
-  for (std::size_t h = 0; h < all.size(); ++h) all[h] = static_cast<Index>(h);
-  improve_angles(mesh, std::move(all));
+  std::iota(all.begin(), all.end(), Index{0});
+  improve_angles(mesh, all);
   return interior(mesh);
 }
 

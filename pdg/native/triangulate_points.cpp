@@ -41,10 +41,10 @@ void join(PointMesh& mesh, Hull& hull, const Index a, const Index b, const Index
   mesh.hull_edge[at(a)] = half_edge;
 }
 
-// Adds a point outside the hull, of which one of the hull edges at `start` is visible. Returns the
-// half-edges across from it.
-std::vector<Index> add_outside(PointMesh& mesh, Hull& hull, const Index p, const Index start) {
-  std::vector<Index> created;
+// Adds a point outside the hull, of which one of the hull edges at `start` is visible. The
+// half-edges across from it, here and below, go into the empty list `across`.
+void add_outside(PointMesh& mesh, Hull& hull, const Index p, const Index start,
+                 std::vector<Index>& across) {
   const auto visible = [&](const Index a, const Index b) {
     return orient2d(mesh.point(a), mesh.point(b), mesh.point(p)) < 0;
   };
@@ -55,11 +55,11 @@ std::vector<Index> add_outside(PointMesh& mesh, Hull& hull, const Index p, const
     const Index h = cover_hull_edge(mesh, after, n, p);
     if (edge_to_after != kNone) link(mesh, h + 1, edge_to_after);
     edge_to_after = h + 2;
-    created.push_back(h);
+    across.push_back(h);
     after = n;
   }
   Index before = start;
-  Index edge_from_before = created.empty() ? kNone : created.front() + 1;  // before -> p
+  Index edge_from_before = across.empty() ? kNone : across.front() + 1;  // before -> p
   while (visible(hull.prev[at(before)], before)) {
     const Index v = hull.prev[at(before)];
     const Index h = cover_hull_edge(mesh, v, before, p);
@@ -69,12 +69,11 @@ std::vector<Index> add_outside(PointMesh& mesh, Hull& hull, const Index p, const
       edge_to_after = h + 2;
     }
     edge_from_before = h + 1;
-    created.push_back(h);
+    across.push_back(h);
     before = v;
   }
   join(mesh, hull, before, p, edge_from_before);
   join(mesh, hull, p, after, edge_to_after);
-  return created;
 }
 
 // Triangles from the collinear points 0 .. apex - 1 to the first point off their line.
@@ -172,8 +171,8 @@ Place locate(const PointMesh& mesh, Index u, const Index p) {
   }
 }
 
-// Splits a triangle at the point p in it or on one of its edges; of the three half-edges across
-// from p the k-th is the triangle's k-th edge.
+// Splits a triangle at the point p in it or on one of its edges. Of the three half-edges across
+// from p, which it returns, the k-th is the triangle's k-th edge.
 std::array<Index, 3> split_triangle(PointMesh& mesh, const Index triangle, const Index p) {
   const Index first = 3 * triangle;
   const Index a = mesh.from(first);
@@ -181,7 +180,7 @@ std::array<Index, 3> split_triangle(PointMesh& mesh, const Index triangle, const
   const Index c = mesh.from(first + 2);
   const Index beyond_bc = mesh.opposite(first + 1);
   const Index beyond_ca = mesh.opposite(first + 2);
-  mesh.origin[at(first + 2)] = p;  // (a, b, p) stays in the triangle's slots
+  replace_corner(mesh, first + 2, p);  // (a, b, p) stays in the triangle's slots
   const Index second = add_triangle(mesh, b, c, p);
   const Index third = add_triangle(mesh, c, a, p);
   link(mesh, second, beyond_bc);
@@ -195,38 +194,39 @@ std::array<Index, 3> split_triangle(PointMesh& mesh, const Index triangle, const
 }
 
 // Splits the triangle at a hull edge u -> v, on which the point p lies.
-std::vector<Index> split_hull_edge(PointMesh& mesh, Hull& hull, const Index h, const Index p) {
+void split_hull_edge(PointMesh& mesh, Hull& hull, const Index h, const Index p,
+                     std::vector<Index>& across) {
   const Index u = mesh.from(h);
   const Index v = mesh.to(h);
   const Index next = PointMesh::next(h);
   const Index w = mesh.to(next);
   const Index beyond = mesh.opposite(next);
-  mesh.origin[at(next)] = p;  // (u, p, w) stays in the triangle's slots
+  replace_corner(mesh, next, p);  // (u, p, w) stays in the triangle's slots
   const Index added = add_triangle(mesh, p, v, w);
   link(mesh, added + 1, beyond);
   if (beyond == kNone) mesh.hull_edge[at(v)] = added + 1;
   link(mesh, next, added + 2);
   join(mesh, hull, u, p, h);
   join(mesh, hull, p, v, added);
-  return {added + 1, PointMesh::prev(h)};
+  across.assign({added + 1, PointMesh::prev(h)});
 }
 
-// Adds the point p, wherever it lies. Returns the half-edges across from it.
-std::vector<Index> add_point(PointMesh& mesh, Hull& hull, const Index p, const Index near) {
+// Adds the point p, wherever it lies.
+void add_point(PointMesh& mesh, Hull& hull, const Index p, const Index near,
+               std::vector<Index>& across) {
   const Place place = locate(mesh, near, p);
-  if (place.region == Region::kOutside) return add_outside(mesh, hull, p, place.hull_point);
+  if (place.region == Region::kOutside) return add_outside(mesh, hull, p, place.hull_point, across);
   const Index twin = mesh.opposite(place.half_edge);
   if (place.region == Region::kEdge && twin == kNone)
-    return split_hull_edge(mesh, hull, place.half_edge, p);
-  const std::array<Index, 3> across = split_triangle(mesh, place.half_edge / 3, p);
-  if (place.region == Region::kTriangle) return {across.begin(), across.end()};
+    return split_hull_edge(mesh, hull, place.half_edge, p, across);
+  const std::array<Index, 3> sides = split_triangle(mesh, place.half_edge / 3, p);
+  across.assign(sides.begin(), sides.end());
+  if (place.region == Region::kTriangle) return;
   // One of the three is flat, on the edge: with the triangle beyond it becomes two that are not.
-  const Index flat = across[at(place.half_edge % 3)];
+  const Index flat = sides[at(place.half_edge % 3)];
   const Index beyond = mesh.opposite(flat);
   flip(mesh, flat);
-  std::vector<Index> edges(across.begin(), across.end());
-  edges.push_back(PointMesh::prev(beyond));
-  return edges;
+  across.push_back(PointMesh::prev(beyond));
 }
 
 }  // namespace
@@ -244,15 +244,21 @@ PointMesh triangulate_points(std::vector<Vec2> sorted_points) {
   mesh.twin.reserve(at(6 * n));
   mesh.fixed.reserve(at(6 * n));
   mesh.odd.reserve(at(6 * n));
+  mesh.least_sine.reserve(at(2 * n));
   Hull hull = start_hull(mesh, apex);
+  std::vector<Index> across;
   if (n <= kSweptPoints) {
     // Each point is beyond all before it: its predecessor is on the hull and sees it.
-    for (Index p = apex + 1; p < n; ++p) improve_angles(mesh, add_outside(mesh, hull, p, p - 1));
+    for (Index p = apex + 1; p < n; ++p) {
+      add_outside(mesh, hull, p, p - 1, across);
+      improve_angles(mesh, across);
+    }
     return mesh;
   }
   Index near = apex;
   for (const Index p : insertion_order(mesh.points, apex + 1)) {
-    improve_angles(mesh, add_point(mesh, hull, p, near));
+    add_point(mesh, hull, p, near, across);
+    improve_angles(mesh, across);
     near = p;
   }
   return mesh;

@@ -27,6 +27,10 @@ double pair_separation(const pdg::PosedPiece& a, const pdg::ConvexPiece& b,
   return best;
 }
 
+// A hull that is this part of the robot's reach away is far enough for an estimate: the polygon in
+// it is not decomposed for a better one.
+constexpr double kFarHull = 0.1;
+
 class Probe {
  public:
   Probe(const Problem& problem, ObstacleTree& tree, const Pose& from, const Pose& to)
@@ -34,34 +38,75 @@ class Probe {
 
   // Certified lower bound over the interval, at most `cap`; 0 if the interval turns too far.
   double over(const Interval interval, const double cap) {
+    return over(interval, cap, [](std::uint32_t) { return INFINITY; });
+  }
+
+  // The separation at one configuration, looking no farther than needed.
+  double at(const double s, const double cap) {
+    return nearest(cap, [&](const double within) { return over({s, s}, within); });
+  }
+
+  // The same, but of polygons that nobody has decomposed their hulls, if those are far enough.
+  double at_about(const double s, const double cap) {
+    const double far = kFarHull * problem_.robot.reach;
+    const auto of_hull = [&](const std::uint32_t node) {
+      const double gap = hull_separation(node, s);
+      return gap >= far ? gap : INFINITY;
+    };
+    return nearest(cap, [&](const double within) { return over({s, s}, within, of_hull); });
+  }
+
+ private:
+  // `known` gives a node's separation where it need not be opened, else infinity.
+  template <class Known>
+  double over(const Interval interval, const double cap, const Known& known) {
     const pdg::Motion motion = motion_along(problem_, from_, to_, interval);
     if (motion.half_angle > 1.0) return 0.0;
     const double s = 0.5 * (interval.begin + interval.end);
     const pdg::Rotation rotation = rotation_at(between(from_, to_, s).theta);
     pose(problem_.robot, rotation, posed_);
     double least = cap;
-    visit_nearby_pairs(problem_.robot, tree_, motion, rotation, cap,
-                       [&](const std::uint32_t obstacle, const std::size_t robot) {
-                         least = std::min(
-                             least, pair_separation(posed_piece(problem_.robot, posed_, robot),
-                                                    tree_.piece(obstacle), motion, least, axes_));
-                       });
+    const auto meet = [&](const pdg::ConvexPiece& obstacle, const std::size_t robot) {
+      least = std::min(least, pair_separation(posed_piece(problem_.robot, posed_, robot), obstacle,
+                                              motion, least, axes_));
+    };
+    visit_nearby_pairs(
+        problem_.robot, tree_, motion, rotation, cap,
+        [&](const std::uint32_t obstacle, const std::size_t robot) {
+          meet(tree_.piece(obstacle), robot);
+        },
+        [&](const std::uint32_t node) {
+          const double separation = known(node);
+          least = std::min(least, separation);
+          return separation < INFINITY;
+        });
     return std::max(least, 0.0);
   }
 
-  // The separation at one configuration, looking no farther than needed.
-  double at(const double s, const double cap) {
+  // Of the robot, posed for this configuration, from the hull of the polygon that the node is.
+  double hull_separation(const std::uint32_t node, const double s) {
+    const pdg::ConvexPiece* const hull = tree_.hull(node);
+    if (hull == nullptr) return -INFINITY;
+    const pdg::Motion motion = motion_along(problem_, from_, to_, {s, s});
+    double least = INFINITY;
+    for (std::size_t i = 0; i < problem_.robot.body_pieces(); ++i)
+      least = std::min(least, pair_separation(posed_piece(problem_.robot, posed_, i), *hull, motion,
+                                              INFINITY, axes_));
+    return least;
+  }
+
+  template <class Within>
+  double nearest(const double cap, const Within& found_within) {
     const double farthest = 4.0 * (problem_.domain.reach + problem_.robot.reach);
     double within = std::min(cap, problem_.robot.reach);
     for (;;) {
-      const double found = over({s, s}, within);
+      const double found = found_within(within);
       if (found < within || within >= cap) return found;
       if (within >= farthest) return cap;
       within = std::min(4.0 * within, cap);
     }
   }
 
- private:
   const Problem& problem_;
   ObstacleTree& tree_;
   Pose from_;
@@ -87,7 +132,7 @@ double sampled_clearance(const Problem& problem, ObstacleTree& tree,
                          const std::vector<Pose>& path) {
   double least = INFINITY;
   for (std::size_t i = 0; i + 1 < path.size(); ++i)
-    least = std::min(least, Probe(problem, tree, path[i], path[i + 1]).at(0.5, least));
+    least = std::min(least, Probe(problem, tree, path[i], path[i + 1]).at_about(0.5, least));
   return least;
 }
 

@@ -130,10 +130,35 @@ bool Labeller::visit_node(Pass& pass, const std::uint32_t index) {
     pass.result.separation = std::min(pass.result.separation, 0.0);
     return true;
   }
+  if (apart_from_hull(pass, index)) return true;
   tree_.expand(index);
   if (tree_.node(index).piece != kNoPiece) return visit_piece(pass, tree_.node(index).piece);
   const std::uint32_t left = tree_.node(index).left;
   return visit_node(pass, left) && visit_node(pass, left + 1);
+}
+
+// A polygon from whose hull every robot piece keeps away need not be decomposed yet.
+bool Labeller::apart_from_hull(Pass& pass, const std::uint32_t node) {
+  const pdg::ConvexPiece* const hull = tree_.hull(node);
+  if (hull == nullptr) return false;
+  double clearance = INFINITY;
+  for (std::size_t i = 0; i < robot_.body_pieces(); ++i) {
+    const pdg::ConvexPiece& a = robot_.pieces[i];
+    double gap = circle_gap(pass.motion, pass.posed.rotation, a, *hull);
+    if (gap < pass.motion.margin) {
+      fresh_.clear();
+      undecided_.clear();
+      pdg::all_constraints(a, *hull, fresh_);
+      const pdg::PairVerdict verdict =
+          pdg::judge_pair(posed_piece(robot_, pass.posed, i), *hull, pass.motion, fresh_,
+                          undecided_, statistics_.separation_evaluations);
+      if (verdict.label != pdg::PairLabel::kApart) return false;
+      gap = verdict.clearance;
+    }
+    clearance = std::min(clearance, gap);
+  }
+  pass.result.clearance = std::min(pass.result.clearance, clearance);
+  return true;
 }
 
 bool Labeller::visit_piece(Pass& pass, const std::uint32_t piece) {

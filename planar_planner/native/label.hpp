@@ -62,6 +62,7 @@ class Labeller {
   struct Pass;
 
   bool visit_node(Pass& pass, std::uint32_t node);
+  bool apart_from_hull(Pass& pass, std::uint32_t node);
   bool visit_piece(Pass& pass, std::uint32_t piece);
   bool visit_closed_pair(Pass& pass, std::uint32_t obstacle, std::uint16_t robot);
   bool judge(Pass& pass, std::uint32_t obstacle, std::uint16_t robot,
@@ -73,7 +74,7 @@ class Labeller {
   Statistics& statistics_;
   Parts parts_;
   pdg::PosedRobot posed_;
-  std::vector<pdg::Constraint> fresh_;
+  std::vector<pdg::Constraint> fresh_, undecided_;
   std::vector<bool> touched_;  // by obstacle piece: its pairs with all robot pieces
   std::uint64_t pairs_touched_ = 0;
 };

@@ -48,17 +48,18 @@ inline double circle_gap(const pdg::Motion& m, const pdg::Rotation rotation,
 }
 
 // Calls visit(obstacle piece, robot piece) for every pair whose circles may come nearer than
-// `within` (planner units); every other pair is at least that far apart.
-template <class Visit>
+// `within` (planner units); every other pair is at least that far apart. Nodes for which settled()
+// holds are not opened.
+template <class Visit, class Settled>
 void visit_node_pairs(const Robot& robot, ObstacleTree& tree, const std::uint32_t index,
                       const pdg::Motion& motion, const pdg::Rotation rotation, const double within,
-                      const Visit& visit) {
-  if (node_gap(motion, robot.reach, tree.node(index)) >= within) return;
+                      const Visit& visit, const Settled& settled) {
+  if (node_gap(motion, robot.reach, tree.node(index)) >= within || settled(index)) return;
   tree.expand(index);
   if (tree.node(index).piece == kNoPiece) {
     const std::uint32_t left = tree.node(index).left;
     for (const std::uint32_t child : {left, left + 1})
-      visit_node_pairs(robot, tree, child, motion, rotation, within, visit);
+      visit_node_pairs(robot, tree, child, motion, rotation, within, visit, settled);
     return;
   }
   const std::uint32_t piece = tree.node(index).piece;
@@ -66,11 +67,20 @@ void visit_node_pairs(const Robot& robot, ObstacleTree& tree, const std::uint32_
     if (circle_gap(motion, rotation, robot.pieces[i], tree.piece(piece)) < within) visit(piece, i);
 }
 
+template <class Visit, class Settled>
+void visit_nearby_pairs(const Robot& robot, ObstacleTree& tree, const pdg::Motion& motion,
+                        const pdg::Rotation rotation, const double within, const Visit& visit,
+                        const Settled& settled) {
+  for (std::uint32_t wall = 0; wall < tree.wall_count(); ++wall) visit(wall, robot.hull());
+  if (!tree.empty())
+    visit_node_pairs(robot, tree, tree.root(), motion, rotation, within, visit, settled);
+}
+
 template <class Visit>
 void visit_nearby_pairs(const Robot& robot, ObstacleTree& tree, const pdg::Motion& motion,
                         const pdg::Rotation rotation, const double within, const Visit& visit) {
-  for (std::uint32_t wall = 0; wall < tree.wall_count(); ++wall) visit(wall, robot.hull());
-  if (!tree.empty()) visit_node_pairs(robot, tree, tree.root(), motion, rotation, within, visit);
+  visit_nearby_pairs(robot, tree, motion, rotation, within, visit,
+                     [](std::uint32_t) { return false; });
 }
 
 }  // namespace planner

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pdg/native/convex_hull.hpp"
 #include "pdg/native/tolerances.hpp"
 #include "pieces.hpp"
 
 namespace planner {
 
 namespace {
+
+// Polygons of fewer vertices are decomposed about as soon as their hull is asked.
+constexpr std::size_t kHullVertices = 10;
 
 // Bounds that hold for the exact coordinates: to_frame errs by u per unit of magnitude.
 void round_outwards(Vec2& low, Vec2& high) {
@@ -70,6 +74,22 @@ std::optional<std::uint32_t> ObstacleTree::whole_polygon(const std::uint32_t ind
   const TreeNode& node = nodes_[index];
   if (node.end - node.begin != 1 || items_[node.begin].is_piece) return std::nullopt;
   return items_[node.begin].id;
+}
+
+const pdg::ConvexPiece* ObstacleTree::hull(const std::uint32_t index) {
+  const std::optional<std::uint32_t> polygon = whole_polygon(index);
+  if (!polygon) return nullptr;
+  if (hulls_.empty()) hulls_.resize(obstacles_->size());
+  std::optional<pdg::ConvexPiece>& hull = hulls_[*polygon];
+  if (!hull) {
+    const std::uint32_t outer = obstacles_->polygon_starts[*polygon];
+    const auto begin = obstacles_->points.begin() + obstacles_->ring_starts[outer];
+    const auto end = obstacles_->points.begin() + obstacles_->ring_starts[outer + 1];
+    const auto vertices = static_cast<std::size_t>(end - begin);
+    if (vertices < kHullVertices || vertices > kMaxPieceVertices) return nullptr;
+    hull = pdg::make_piece(pdg::convex_hull(std::vector<Vec2>(begin, end)), frame_);
+  }
+  return &*hull;
 }
 
 void ObstacleTree::expand(const std::uint32_t index) {

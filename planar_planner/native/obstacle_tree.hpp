@@ -39,6 +39,9 @@ class ObstacleTree {
   [[nodiscard]] std::size_t piece_count() const { return pieces_.size(); }
   // The one polygon that this node is, not yet decomposed.
   [[nodiscard]] std::optional<std::uint32_t> whole_polygon(std::uint32_t node) const;
+  // The convex hull of that polygon, if it is worth asking before it is decomposed: it holds it, so
+  // what is apart from the one is apart from the other. Valid until another hull is asked for.
+  const pdg::ConvexPiece* hull(std::uint32_t node);
   // Polygons not yet decomposed.
   [[nodiscard]] std::size_t untouched_polygons() const { return untouched_; }
 
@@ -66,6 +69,7 @@ class ObstacleTree {
   std::vector<TreeNode> nodes_;
   std::vector<Item> items_;
   bool partition_ = true;
+  std::vector<std::optional<pdg::ConvexPiece>> hulls_;  // by polygon, made when first asked for
   std::uint32_t wall_count_ = 0;
   std::size_t untouched_ = 0;
 };

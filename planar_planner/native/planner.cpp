@@ -1,5 +1,7 @@
 #include "planner.hpp"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "disc.hpp"
@@ -13,15 +15,34 @@ namespace {
 // A try with a disc instead of the robot may cost no more cells than this.
 constexpr std::uint64_t kDiscCells = 4000;
 
-// Configurations that the first try by trees may ask about, some tenths of a millisecond; and work
-// that it may cost where robot and obstacles have many edges, in units of CollisionHint::work.
-constexpr std::int64_t kProbeChecks = 2500;
+// Configurations that the first try by trees may ask about, some tenths of a millisecond, and as
+// many more for every obstacle, as the cells that it may spare grow with their number too; and work
+// that each may cost where robot and obstacles have many edges, in units of CollisionHint::work.
+constexpr std::uint64_t kProbeChecks = 2500;
+constexpr std::uint64_t kProbeChecksPerObstacle = 5;
+constexpr std::uint64_t kMostProbeChecks = 20'000;
 constexpr std::uint64_t kProbeWork = 2'000'000;
+constexpr std::uint64_t kProbeWorkPerObstacle = 8'000;
+constexpr std::uint64_t kMostProbeWork = 20'000'000;
 // How far apart they are at first, relative to the robot's reach, and after a path that could not
 // be certified; and how many paths are given a chance.
 constexpr double kProbeSpacing = 0.25;
-constexpr double kFinerSpacing = 0.25;
-constexpr int kProbePaths = 4;
+constexpr double kFinerSpacing = 0.7;
+constexpr int kProbePaths = 16;
+
+// A few configurations of each leg, the middle first: a certificate that must fail is not begun.
+constexpr std::array<double, 7> kGlances = {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};
+
+bool looks_blocked(const Problem& problem, CollisionHint& hint,
+                   const std::vector<Configuration>& path) {
+  for (const double s : kGlances)
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      const Pose from = pose_of(problem, path[i]);
+      const Pose to = pose_of(problem, path[i + 1]);
+      if (hint.gap(between(from, to, s)) < 0.0) return true;
+    }
+  return false;
+}
 
 }  // namespace
 
@@ -86,8 +107,10 @@ bool Planner::cheap_move(Query& query) {
   g.theta = problem_.rotation ? nearest_turn(g.theta, s.theta) : s.theta;
   const std::vector<std::vector<Configuration>> tries = {
       {s, g}, {s, {s.x, s.y, g.theta}, g}, {s, {g.x, g.y, s.theta}, g}};
+  CollisionHint hint(problem_, *tree_);
   for (const std::vector<Configuration>& path : tries)
-    if (!first_uncertified(problem_, *segments_, path, stop))
+    if (!looks_blocked(problem_, hint, path) &&
+        !first_uncertified(problem_, *segments_, path, stop))
       return conclude_path(query, path, path.size() == 2 ? "straight move" : "two-leg move");
   return false;
 }
@@ -102,20 +125,25 @@ bool Planner::conclude_path(Query& query, std::vector<Configuration> path, const
 bool Planner::probe(Query& query) {
   const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
   CollisionHint hint(problem_, *tree_);
-  RrtConnect trees(problem_, hint, kProbeChecks, kProbeWork);
+  const std::size_t obstacles = problem_.scene.obstacles.size();
+  const RrtConnect::Budget budget{
+      std::min(kProbeChecks + kProbeChecksPerObstacle * obstacles, kMostProbeChecks),
+      std::min(kProbeWork + kProbeWorkPerObstacle * obstacles, kMostProbeWork)};
+  RrtConnect trees(problem_, hint, budget, query.start, query.goal);
   const std::uint64_t by_discs = statistics_.probe_checks;
   double spacing = kProbeSpacing * problem_.robot.reach;
   for (int paths = 0; paths < kProbePaths; ++paths, spacing *= kFinerSpacing) {
     std::vector<Configuration> path;
     {
       const Stopwatch watch(statistics_.seconds.probe);
-      path = trees.find(query.start, query.goal, spacing, stop);
+      path = trees.find(spacing, stop);
       statistics_.probe_checks = by_discs + hint.calls();
     }
     if (path.empty()) return false;
     const Stopwatch watch(statistics_.seconds.path);
-    if (!certify_shortened(problem_, *tree_, *segments_, path, stop))
-      return conclude_path(query, std::move(path), "RRT-Connect");
+    const auto bad = certify_shortened(problem_, *tree_, *segments_, path, stop);
+    if (!bad) return conclude_path(query, std::move(path), "RRT-Connect");
+    trees.reject(*bad);
   }
   return false;
 }

@@ -3,34 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pdg/native/predicates.hpp"
+#include "pdg/native/convex_hull.hpp"
 #include "pdg/native/tolerances.hpp"
 #include "pieces.hpp"
 
 namespace planner {
 
 namespace {
-
-// Andrew's monotone chain with the exact orientation predicate: strictly convex.
-pdg::ConvexPolygon convex_hull(std::vector<Vec2> points) {
-  const auto before = [](const Vec2 a, const Vec2 b) {
-    return a.x < b.x || (a.x == b.x && a.y < b.y);
-  };
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  pdg::ConvexPolygon hull;
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t base = hull.size();
-    for (const Vec2 p : points) {
-      while (hull.size() >= base + 2 && pdg::orient2d(hull[hull.size() - 2], hull.back(), p) <= 0)
-        hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
 
 // Signed distance of the origin to the piece's boundary lines: > 0 outside some edge.
 double origin_outside(const pdg::ConvexPiece& piece) {
@@ -68,7 +47,7 @@ Robot make_robot(const PolygonSet& polygons, const int exponent, const bool part
       robot.polygon_of_piece.push_back(static_cast<std::uint32_t>(i));
     }
   }
-  robot.pieces.push_back(pdg::make_piece(convex_hull(std::move(points)), frame));
+  robot.pieces.push_back(pdg::make_piece(pdg::convex_hull(std::move(points)), frame));
   robot.polygon_of_piece.push_back(0);
   for (const pdg::ConvexPiece& piece : robot.pieces) {
     robot.first_vertex.push_back(static_cast<std::uint32_t>(robot.vertex_total));

@@ -19,7 +19,7 @@ using worlds::World;
 
 // Planner units; nearer to contact plain doubles may say either.
 constexpr Real kBeyondRounding = 1e-12L;
-constexpr std::int64_t kBudget = 5000;
+constexpr RrtConnect::Budget kBudget{5000};
 constexpr double kSpacing = 0.02;
 
 const planner::Terminator never = [] { return false; };
@@ -157,11 +157,11 @@ TEST(PlannerFirstTry, PathsRunFromStartToGoalWithinTheBudget) {
       if (places.gap(planner::pose_of(world.problem, *goal)) < 0.0) continue;
     }
     CollisionHint hint(world.problem, world.tree);
-    const auto path = RrtConnect(world.problem, hint, kBudget).find(*start, *goal, kSpacing, never);
-    ASSERT_LE(hint.calls(), static_cast<std::uint64_t>(kBudget));
+    const auto path = RrtConnect(world.problem, hint, kBudget, *start, *goal).find(kSpacing, never);
+    ASSERT_LE(hint.calls(), kBudget.checks);
     CollisionHint second(world.problem, world.tree);
     const auto again =
-        RrtConnect(world.problem, second, kBudget).find(*start, *goal, kSpacing, never);
+        RrtConnect(world.problem, second, kBudget, *start, *goal).find(kSpacing, never);
     ASSERT_EQ(hint.calls(), second.calls());
     ASSERT_EQ(path.size(), again.size());
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -183,6 +183,38 @@ TEST(PlannerFirstTry, PathsRunFromStartToGoalWithinTheBudget) {
   EXPECT_GT(found, 15);
 }
 
+// What was rejected does not come back, and what is left still hangs together.
+TEST(PlannerFirstTry, GoesOnWithoutARejectedSegment) {
+  int again = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(9900 + seed);
+    World world(worlds::random_scene(random, worlds::recipes()[seed % worlds::recipes().size()]));
+    CollisionHint places(world.problem, world.tree);
+    const auto start = free_place(world, places, random);
+    const auto goal = free_place(world, places, random);
+    if (!start || !goal || (!world.problem.rotation && start->theta != goal->theta)) continue;
+    CollisionHint hint(world.problem, world.tree);
+    RrtConnect trees(world.problem, hint, kBudget, *start, *goal);
+    auto path = trees.find(kSpacing, never);
+    for (int round = 0; round < 5 && !path.empty(); ++round) {
+      const std::size_t segment = random() % (path.size() - 1);
+      const planner::Configuration from = path[segment];
+      const planner::Configuration to = path[segment + 1];
+      trees.reject(segment);
+      path = trees.find(kSpacing, never);
+      if (path.empty()) break;
+      ++again;
+      check_path(world, places, path);
+      for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        EXPECT_FALSE(path[i].x == from.x && path[i].y == from.y && path[i + 1].x == to.x &&
+                     path[i + 1].y == to.y);
+      }
+    }
+  }
+  EXPECT_GT(again, 30);
+}
+
 TEST(PlannerFirstTry, SpendsItsBudgetWhereThereIsNoWay) {
   planner::Scene scene;
   scene.robot.append({{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}}});
@@ -190,11 +222,11 @@ TEST(PlannerFirstTry, SpendsItsBudgetWhereThereIsNoWay) {
   scene.box = planner::Rectangle{{0.0, 0.0}, {10.0, 10.0}};
   World world(std::move(scene));
   CollisionHint hint(world.problem, world.tree);
-  const auto path = RrtConnect(world.problem, hint, kBudget)
-                        .find({2.0, 5.0, 0.0}, {8.0, 5.0, 0.0}, kSpacing, never);
+  const auto path = RrtConnect(world.problem, hint, kBudget, {2.0, 5.0, 0.0}, {8.0, 5.0, 0.0})
+                        .find(kSpacing, never);
   EXPECT_TRUE(path.empty());
-  EXPECT_LE(hint.calls(), static_cast<std::uint64_t>(kBudget));
-  EXPECT_GT(hint.calls(), static_cast<std::uint64_t>(kBudget) / 4);
+  EXPECT_LE(hint.calls(), kBudget.checks);
+  EXPECT_GT(hint.calls(), kBudget.checks / 4);
 }
 
 TEST(PlannerFirstTry, StopsWhenTold) {
@@ -202,7 +234,7 @@ TEST(PlannerFirstTry, StopsWhenTold) {
   World world(worlds::random_scene(random, {}));
   CollisionHint hint(world.problem, world.tree);
   const auto path =
-      RrtConnect(world.problem, hint, kBudget).find({}, {1.0, 1.0, 1.0}, kSpacing, [] {
+      RrtConnect(world.problem, hint, kBudget, {}, {1.0, 1.0, 1.0}).find(kSpacing, [] {
         return true;
       });
   EXPECT_TRUE(path.empty());

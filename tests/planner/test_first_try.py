@@ -12,7 +12,8 @@ from planar_planner.core import ask, make_core
 from planar_planner.problem import make_problem
 
 BY_TREES = "RRT-Connect"
-MOST_CHECKS = 2500  # of one first try
+CHECKS = 2500  # that one first try may ask for, and
+CHECKS_PER_OBSTACLE = 5  # as many more
 SCENES = manifest()
 ROOMY = ("gear-wide", "window", "slide", "courtyard", "fence")
 
@@ -40,9 +41,11 @@ def test_answers_where_there_is_room(name: str) -> None:
 
 
 def test_is_short_where_there_is_none() -> None:
-    result = solve(load_scene("corner-too-long"))
+    scene = load_scene("corner-too-long")
+    result = solve(scene)
     assert result.verdict == "no_path"
-    assert 0 < result.stats["probe_checks"] <= MOST_CHECKS
+    most = CHECKS + CHECKS_PER_OBSTACLE * len(scene.obstacles)
+    assert 0 < result.stats["probe_checks"] <= most
 
 
 def test_is_the_same_every_time() -> None:
@@ -74,4 +77,4 @@ def test_counts_what_the_discs_asked_too() -> None:
     result = solve(dodecagon_before_a_slot(1.94))
     assert result.verdict == "path"
     assert result.stats["decided_by"] == "channel"
-    assert result.stats["probe_checks"] > MOST_CHECKS
+    assert result.stats["probe_checks"] > CHECKS + CHECKS_PER_OBSTACLE * 2
