@@ -6,6 +6,7 @@ C-obstacle query. Knows nothing of planning.
 
 from pdg import sets
 from pdg.depth import generalized_depth_lower_bound, translational_depth
+from pdg.distance import PenetrationDistance, penetration_distance
 from pdg.errors import PdgError
 from pdg.motion import MotionBounds, displacement, generalized_distance_bounds, motion_bounds
 from pdg.pieces import ConvexPieces, convex_pieces
@@ -37,6 +38,7 @@ __all__ = [
     "FreePlacement",
     "MotionBounds",
     "PdgError",
+    "PenetrationDistance",
     "TranslationalDepth",
     "TranslationalDepths",
     "c_obstacle_query",
@@ -47,6 +49,7 @@ __all__ = [
     "generalized_depth_upper_bound",
     "generalized_distance_bounds",
     "motion_bounds",
+    "penetration_distance",
     "sets",
     "translational_depth",
 ]

@@ -66,6 +66,7 @@ class ConvexSet:
     @property
     def dimension(self) -> int: ...
     def magnitude(self) -> list[float]: ...
+    def error(self) -> list[float]: ...
     def supports(
         self, directions: NDArray[np.float64]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
@@ -81,9 +82,31 @@ def affine_image(
     map: NDArray[np.float64], offset: NDArray[np.float64], set: ConvexSet
 ) -> ConvexSet: ...
 def grasp_wrench_set(columns: NDArray[np.float64], largest: bool, idle: bool) -> ConvexSet: ...
+def stretched(factors: NDArray[np.float64], set: ConvexSet) -> ConvexSet: ...
 def scaled(factor: float, set: ConvexSet) -> ConvexSet: ...
 def python_set(
     support: Callable[[NDArray[np.float64]], tuple[float, NDArray[np.float64]]],
     magnitude: Sequence[float],
     error: Sequence[float],
 ) -> ConvexSet: ...
+def penetration_distance(
+    a: ConvexSet,
+    q: ConvexSet,
+    absolute_gap: float,
+    relative_gap: float,
+    iterations: int,
+    facets: int,
+    seconds: float,
+    history: bool,
+) -> tuple[
+    int,
+    int,
+    float,
+    float,
+    list[float],
+    list[float],
+    int,
+    int,
+    list[tuple[float, float, int]],
+]: ...
+def upper_bound_along(a: ConvexSet, q: ConvexSet, u: Sequence[float]) -> float: ...

@@ -135,4 +135,5 @@ NB_MODULE(_core, m) {  // NOLINT(bugprone-signed-bitwise): inside the macro
   pdg::python::bind_validity(m);
   pdg::python::bind_sets(m);
   pdg::python::bind_grasp(m);
+  pdg::python::bind_distance(m);
 }

@@ -87,6 +87,10 @@ void bind_sets(nb::module_& m) {
            [](const ConvexSet& set) {
              return std::vector<double>(set.magnitude().begin(), set.magnitude().end());
            })
+      .def("error",
+           [](const ConvexSet& set) {
+             return std::vector<double>(set.error().begin(), set.error().end());
+           })
       .def("supports", &supports, "directions"_a);
   m.def(
       "axis_ellipsoid",
@@ -121,6 +125,12 @@ void bind_sets(nb::module_& m) {
         return affine_image(to_matrix(map), to_vector(offset), std::move(set));
       },
       "map"_a, "offset"_a, "set"_a);
+  m.def(
+      "stretched",
+      [](const Vector& factors, SetPointer set) {
+        return stretched(to_vector(factors), std::move(set));
+      },
+      "factors"_a, "set"_a);
   m.def("scaled", &scaled, "factor"_a, "set"_a);
   m.def(
       "python_set",

@@ -7,6 +7,7 @@ namespace pdg::python {
 
 void bind_batches(nanobind::module_& m);
 void bind_depths(nanobind::module_& m);
+void bind_distance(nanobind::module_& m);
 void bind_grasp(nanobind::module_& m);
 void bind_sets(nanobind::module_& m);
 void bind_upper_bounds(nanobind::module_& m);

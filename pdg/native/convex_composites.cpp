@@ -1,5 +1,6 @@
 #include "convex_composites.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -173,6 +174,63 @@ class AffineImage final : public ConvexSet {
   SetPointer set_;
 };
 
+std::vector<double> stretched_bounds(const View factors, const View bounds) {
+  if (factors.size() != bounds.size()) {
+    throw std::invalid_argument("one factor per coordinate is needed");
+  }
+  std::vector<double> result;
+  result.reserve(factors.size());
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    result.push_back(std::abs(factors[i]) * bounds[i]);
+  }
+  return result;
+}
+
+bool is_power_of_two(const double x) {
+  int exponent = 0;
+  return std::abs(std::frexp(x, &exponent)) == 0.5;
+}
+
+std::vector<double> stretched_error(const View factors, const ConvexSet& set) {
+  std::vector<double> error = stretched_bounds(factors, set.error());
+  if (!std::ranges::all_of(factors, is_power_of_two)) {
+    const std::vector<double> rounding =
+        rounding_error(stretched_bounds(factors, set.magnitude()), 1);
+    for (std::size_t i = 0; i < error.size(); ++i) error[i] += rounding[i];
+  }
+  return error;
+}
+
+class Stretched final : public ConvexSet {
+ public:
+  Stretched(std::vector<double> factors, SetPointer set)
+      : ConvexSet(stretched_bounds(factors, set->magnitude()), stretched_error(factors, *set)),
+        factors_(std::move(factors)),
+        set_(std::move(set)) {}
+
+  [[nodiscard]] double value(const View u) const override {
+    Scratch direction(u.size());
+    return set_->value(pulled_back(u, direction.span()));
+  }
+
+  double add_support(const View u, const std::span<double> point) const override {
+    Scratch direction(u.size());
+    Scratch inner(u.size());
+    const double value = set_->add_support(pulled_back(u, direction.span()), inner.span());
+    for (std::size_t i = 0; i < u.size(); ++i) point[i] += factors_[i] * inner.span()[i];
+    return value;
+  }
+
+ private:
+  View pulled_back(const View u, const std::span<double> w) const {
+    for (std::size_t i = 0; i < u.size(); ++i) w[i] = factors_[i] * u[i];
+    return w;
+  }
+
+  std::vector<double> factors_;
+  SetPointer set_;
+};
+
 }  // namespace
 
 SetPointer minkowski_sum(std::vector<SetPointer> sets) {
@@ -187,11 +245,13 @@ SetPointer affine_image(Matrix map, std::vector<double> offset, SetPointer set) 
   return std::make_shared<AffineImage>(std::move(map), std::move(offset), std::move(set));
 }
 
+SetPointer stretched(std::vector<double> factors, SetPointer set) {
+  return std::make_shared<Stretched>(std::move(factors), std::move(set));
+}
+
 SetPointer scaled(const double factor, SetPointer set) {
-  const std::size_t n = set->dimension();
-  Matrix map{n, n, std::vector<double>(n * n)};
-  for (std::size_t i = 0; i < n; ++i) map.entries[i * n + i] = factor;
-  return affine_image(std::move(map), std::vector<double>(n), std::move(set));
+  std::vector<double> factors(set->dimension(), factor);
+  return stretched(std::move(factors), std::move(set));
 }
 
 }  // namespace pdg

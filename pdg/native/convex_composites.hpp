@@ -18,8 +18,11 @@ SetPointer union_hull(std::vector<SetPointer> sets);
 // {M x + c : x in A}: h(u) = h_A(M^T u) + c.u. M has as many columns as A has dimensions.
 SetPointer affine_image(Matrix map, std::vector<double> offset, SetPointer set);
 
-// {f x : x in A}, f of any sign: h(u) = h_A(f u). -1 gives the reflection, so that
-// minkowski_sum({B, scaled(-1, A)}) is the Minkowski difference {b - a}.
+// {diag(f) x : x in A}, factors of any sign: h(u) = h_A(diag(f) u). Powers of two do not round.
+SetPointer stretched(std::vector<double> factors, SetPointer set);
+
+// {f x : x in A}. -1 gives the reflection, so that minkowski_sum({B, scaled(-1, A)}) is the
+// Minkowski difference {b - a}.
 SetPointer scaled(double factor, SetPointer set);
 
 }  // namespace pdg

@@ -95,4 +95,25 @@ inline constexpr double kDisplacementErrorUnits = 16.0;
 // penetration-distance.md, "Rounding".
 inline constexpr double kSupportErrorUnits = 10.0 * PDG_MARGIN_SCALE;
 
+// Relative padding of computed sums of up to 2^20 nonnegative products of bounds.
+inline constexpr double kSumPadding = 1.0 + 0x1p-30 * PDG_MARGIN_SCALE;
+
+// A facet's plane is a convex combination of two others and moves off its vertices by at most this
+// many times the rounding of one evaluation of a plane: coefficients 2, combination 1, heights 2 at
+// the new point (simplicial_hull.hpp).
+inline constexpr double kPlaneDriftUnits = 8.0;
+
+// A point sees a facet of a simplicial hull if it is above its plane by more than this, in units of
+// the plane's distance from a point inside. The lower bound holds for any value; a smaller one
+// makes many more facets of coplanar points, a larger one ends convergence earlier.
+inline constexpr double kSeenHeight = 0x1p-40;
+
+// A pivot of Cholesky's method for points' inner products (scaled to at most 2) counts as zero
+// below this, in units of u times the number of points. Deciding either way only changes where a
+// search starts.
+inline constexpr double kSingularPivotUnits = 16.0;
+
+// Steps of the GJK start before the hull goes on from what it has; ten times what was ever seen.
+inline constexpr int kMostStartSteps = 1000;
+
 }  // namespace pdg
