@@ -46,10 +46,10 @@ class Row(NamedTuple):
     note: str = ""
 
 
-def timed(call: Callable[[], object]) -> float:
+def timed(call: Callable[[], object], repetitions: int = REPETITIONS) -> float:
     """Return the least of the processor's seconds of some repetitions."""
     least = float("inf")
-    for _ in range(REPETITIONS):
+    for _ in range(repetitions):
         began = time.process_time()
         call()
         least = min(least, time.process_time() - began)

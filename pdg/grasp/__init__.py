@@ -12,6 +12,12 @@ from pdg.grasp.contacts import (
     point_contact,
     soft_finger,
 )
+from pdg.grasp.efficiency import (
+    ForceClosure,
+    ForceEfficiency,
+    force_closure,
+    force_efficiency,
+)
 from pdg.grasp.hand import (
     Finger,
     Joint,
@@ -27,12 +33,16 @@ __all__ = [
     "ActiveForces",
     "Contact",
     "Finger",
+    "ForceClosure",
+    "ForceEfficiency",
     "Joint",
     "WrenchSet",
     "active_wrench_set",
     "contact_map",
     "finger",
     "finger_forces",
+    "force_closure",
+    "force_efficiency",
     "frictionless",
     "grasp_wrench_set",
     "point_contact",

@@ -23,12 +23,11 @@ View column(const ContactWrenches& w, const std::size_t contact, const std::size
   return std::span(w.columns).subspan(first, w.dimension);
 }
 
-const ContactWrenches& checked(const ContactWrenches& w) {
+void check(const ContactWrenches& w) {
   if (w.contacts == 0 || w.dimension == 0 ||
       w.columns.size() != w.contacts * (1 + w.axes) * w.dimension) {
     throw std::invalid_argument("contact wrenches of the wrong size");
   }
-  return w;
 }
 
 // |c| + sum |M| of one contact.
@@ -56,14 +55,13 @@ std::vector<double> over_contacts(const ContactWrenches& w, const ForceNorm norm
 }
 
 std::vector<double> magnitude_of(const ContactWrenches& w, const ForceNorm norm) {
-  return over_contacts(checked(w), norm,
-                       [&](const std::size_t k) { return contact_magnitude(w, k); });
+  return over_contacts(w, norm, [&](const std::size_t k) { return contact_magnitude(w, k); });
 }
 
 // Of each contact's ellipsoid, and of the sum over contacts. A wrong choice between contacts, or
 // between a contact and the origin, still gives a point of the set, and a value off by no more.
 std::vector<double> error_of(const ContactWrenches& w, const ForceNorm norm) {
-  std::vector<double> error = over_contacts(checked(w), norm, [&](const std::size_t k) {
+  std::vector<double> error = over_contacts(w, norm, [&](const std::size_t k) {
     return rounding_error(contact_magnitude(w, k), w.dimension + w.axes);
   });
   if (norm == ForceNorm::kLargest) {
@@ -159,6 +157,7 @@ class GraspWrenchSet final : public ConvexSet {
 }  // namespace
 
 SetPointer grasp_wrench_set(ContactWrenches wrenches, const ForceNorm norm, const bool idle) {
+  check(wrenches);
   return std::make_shared<GraspWrenchSet>(std::move(wrenches), norm, idle);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "convex_set.hpp"
@@ -19,7 +20,7 @@ struct ContactWrenches {
   std::vector<double> columns;
 };
 
-enum class ForceNorm {
+enum class ForceNorm : std::uint8_t {
   kSum,      // L1: normal forces sum to 1
   kLargest,  // L-infinity: every normal force is 1
 };

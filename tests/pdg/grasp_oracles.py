@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import minimize
+from scipy.optimize import linprog
 
 from pdg.grasp import Contact, frictionless, point_contact, soft_finger
-
-Support = Callable[[NDArray], tuple[float, NDArray]]
+from pdg.sets import ConvexSet
 
 
 def random_contacts(random: np.random.Generator, count: int, space: int = 3) -> list[Contact]:
@@ -36,12 +33,15 @@ def force_closed(random: np.random.Generator, count: int = 4, soft: bool = True)
     return [make(p, -p, random.uniform(0.3, 0.8), random.uniform(0.2, 0.6)) for p in points]
 
 
-def wrench(contact: Contact, force: NDArray) -> NDArray:
-    """Force and torque about the origin, straight from mechanics."""
-    f = force[0] * contact.normal + force[1 : len(contact.position)] @ contact.tangents
-    if len(contact.position) == 2:
-        return np.array([*f, contact.position[0] * f[1] - contact.position[1] * f[0]])
-    return np.concatenate([f, np.cross(contact.position, f) + force[3] * contact.normal])
+def wrench(contact: Contact, forces: NDArray) -> NDArray:
+    """Force and torque about the origin, straight from mechanics, of each row of forces."""
+    f = forces[..., :1] * contact.normal + forces[..., 1 : len(contact.position)] @ contact.tangents
+    p = contact.position
+    if len(p) == 2:
+        torque = p[0] * f[..., 1:] - p[1] * f[..., :1]
+    else:
+        torque = np.cross(p, f) + forces[..., 3:] * contact.normal
+    return np.concatenate([f, torque], axis=-1)
 
 
 def forces_on_boundary(random: np.random.Generator, contact: Contact, count: int) -> NDArray:
@@ -63,29 +63,54 @@ def sampled_support(
     random: np.random.Generator, contacts: list[Contact], u: NDArray, norm: str, idle: bool
 ) -> float:
     """Greatest u · w over sampled forces: from below, by a little."""
-    each = [
-        max(float(u @ wrench(c, f)) for f in forces_on_boundary(random, c, 3000)) for c in contacts
-    ]
+    each = [float((wrench(c, forces_on_boundary(random, c, 20000)) @ u).max()) for c in contacts]
     pushes = [max(0.0, h) if idle else h for h in each]
     return max(pushes) if norm == "l1" else sum(pushes)
 
 
 def least_ratio(
-    A: Support, Q: Support, dimension: int, starts: int = 30, seed: int = 0
+    A: ConvexSet, Q: ConvexSet, sampled: int = 20000, descents: int = 4, seed: int = 0
 ) -> tuple[float, NDArray]:
-    """Least h_A(u)/h_Q(u) found by descents from many directions: from above, close to d_Q(A)."""
+    """Least h_A(u)/h_Q(u) found, and u: an upper bound of d_Q(A).
 
-    def ratio(u: NDArray) -> tuple[float, NDArray]:
-        (a, s_a), (q, s_q) = A(u), Q(u)
-        return a / q, s_a / q - a * s_q / q**2
+    The best of many directions, and descents by `polished` from the best of them.
+    """
+    u = np.random.default_rng(seed).normal(size=(sampled, A.dimension))
+    values, points = A.supports(u)
+    order = np.argsort(values / Q.supports(u)[0])[:descents]
+    seen = list(points[:: sampled // 300])
+    return min((polished(A, Q, u[k], seen) for k in order), key=lambda end: end[0])
 
-    random = np.random.default_rng(seed)
-    best, where = np.inf, np.zeros(dimension)
-    for _ in range(starts):
-        u = random.normal(size=dimension)
-        for _ in range(3):  # BFGS gives up at kinks; a fresh start goes on
-            u = minimize(ratio, u / np.linalg.norm(u), jac=True, method="BFGS").x
-        value = ratio(u)[0]
-        if value < best:
-            best, where = value, u / np.linalg.norm(u)
-    return best, where
+
+def polished(
+    A: ConvexSet, Q: ConvexSet, u: NDArray, points: list[NDArray]
+) -> tuple[float, NDArray]:
+    """Go down from u: min h_A(v) over s_Q(u) · v = 1, a convex problem, then again from v.
+
+    As h_Q(v) ≥ s_Q(u) · v, the ratio never grows. Each problem by cutting planes (linear
+    programmes over the support points of A seen so far, which are added to `points`).
+    """
+    value = A.support(u)[0] / Q.support(u)[0]
+    points += [A.support(e)[1] for e in (*np.eye(len(u)), *-np.eye(len(u)), u)]
+    for _ in range(20):
+        before, s = value, Q.support(u)[1]
+        for _ in range(60):
+            solved = linprog(
+                [0.0] * len(u) + [1.0],
+                A_ub=np.column_stack([np.array(points), -np.ones(len(points))]),
+                b_ub=np.zeros(len(points)),
+                A_eq=[[*s, 0.0]],
+                b_eq=[1.0],
+                bounds=[(-1e3, 1e3)] * len(u) + [(None, None)],
+            )
+            v = solved.x[:-1]
+            h_a, point = A.support(v)
+            here = h_a / Q.support(v)[0]
+            if here < value:
+                value, u = here, v
+            points.append(point)
+            if h_a - solved.x[-1] < 1e-6:
+                break
+        if value > before - 1e-6:
+            break
+    return float(value), u / np.linalg.norm(u)

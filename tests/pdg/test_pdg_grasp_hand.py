@@ -70,6 +70,25 @@ def test_planar_jacobian_is_that_of_space():
     np.testing.assert_allclose(solid.jacobian[2:], 0, atol=1e-15)
 
 
+def test_planar_hands_are_those_of_space_within_the_plane():
+    """The same fingers in space, with joints that turn about z: forces in the plane, torque z."""
+    random = np.random.default_rng(11)
+    flat, solid = [], []
+    for angle in (0.1, 2.3, 4.1):
+        p = np.array([np.cos(angle), np.sin(angle)])
+        n = -p
+        joints = random.normal(size=(2, 2)) + 2 * p
+        flat.append(finger(point_contact(p, n, 0.5), [revolute(at) for at in joints]))
+        contact = point_contact([*p, 0], [*n, 0], 0.5, tangent=[-n[1], n[0], 0])
+        solid.append(finger(contact, [revolute([*at, 0], (0, 0, 1)) for at in joints]))
+    planar, spatial = active_wrench_set(flat), active_wrench_set(solid)
+    np.testing.assert_array_equal(spatial.basis, np.eye(6)[:, [0, 1, 5]])
+    u = random.normal(size=(30, 3))
+    np.testing.assert_allclose(planar.supports(u)[0], spatial.supports(u)[0], atol=1e-12)
+    whole = grasp_wrench_set([one.contact for one in flat])
+    np.testing.assert_allclose(planar.supports(u)[0], whole.supports(u)[0], atol=1e-12)
+
+
 def test_coupled_joints_share_a_column():
     random = np.random.default_rng(2)
     coupling = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 1]]

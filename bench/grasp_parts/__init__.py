@@ -1,0 +1,1 @@
+"""What the benchmarks of grasps measure: block, hand, situations, linearised cones, pictures."""
