@@ -14,7 +14,7 @@ from pdg.grasp import WrenchSet, active_wrench_set, force_efficiency, grasp_wren
 
 SHOWN = ("b2", "e2", "h")
 COUNTS = 16
-HEADER = ("run", "iterations", "lower", "upper", "milliseconds", "exponent")
+HEADER = ("run", "iterations", "lower", "upper", "facets", "milliseconds", "exponent")
 
 
 def runs(eps: float) -> Iterator[Growth]:
@@ -31,7 +31,7 @@ def runs(eps: float) -> Iterator[Growth]:
 def run(title: str, wrenches: WrenchSet, eps: float) -> Growth:
     """Record one run, then time runs that stop earlier."""
     whole = force_efficiency(wrenches, None, eps, history=True).distance
-    steps = np.array([step[:2] for step in whole.history])
+    steps = np.array(whole.history)
     counts = np.unique(np.linspace(1, whole.iterations, COUNTS).astype(int))
     seconds = np.array(
         [
@@ -41,7 +41,7 @@ def run(title: str, wrenches: WrenchSet, eps: float) -> Growth:
     )
     late = counts >= counts[-1] / 2
     exponent = float(np.polyfit(np.log(counts[late]), np.log(seconds[late]), 1)[0])
-    return Growth(title, steps[:, 0], steps[:, 1], counts.astype(float), seconds, exponent)
+    return Growth(title, *steps.T, counts.astype(float), seconds, exponent)
 
 
 def rows(found: Sequence[Growth]) -> Iterator[tuple[object, ...]]:
@@ -49,4 +49,13 @@ def rows(found: Sequence[Growth]) -> Iterator[tuple[object, ...]]:
     for one in found:
         for k, seconds in zip(one.counts, one.seconds, strict=True):
             at = min(int(k), len(one.lower) - 1)
-            yield one.title, int(k), one.lower[at], one.upper[at], 1e3 * seconds, one.exponent
+            facets = int(one.facets[at])
+            yield (
+                one.title,
+                int(k),
+                one.lower[at],
+                one.upper[at],
+                facets,
+                1e3 * seconds,
+                one.exponent,
+            )

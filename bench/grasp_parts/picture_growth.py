@@ -23,6 +23,8 @@ class Growth(NamedTuple):
         Situation and set.
     lower, upper : ndarray of shape (K + 1,)
         d_k and the least h_A/h_Q seen, after k iterations.
+    facets : ndarray of shape (K + 1,)
+        Of the polytope.
     counts, seconds : ndarray of shape (n,)
         Least processor seconds of runs that stop after so many iterations.
     exponent : float
@@ -32,6 +34,7 @@ class Growth(NamedTuple):
     title: str
     lower: NDArray[np.float64]
     upper: NDArray[np.float64]
+    facets: NDArray[np.float64]
     counts: NDArray[np.float64]
     seconds: NDArray[np.float64]
     exponent: float

@@ -102,6 +102,34 @@ def test_compiled_support_against_its_formula(norm, idle):
         assert W.support(u)[0] == pytest.approx(expected, rel=1e-14)
 
 
+@pytest.mark.parametrize("norm", NORMS)
+@pytest.mark.parametrize("idle", [True, False])
+@pytest.mark.parametrize("size", [1e-9, 1.0, 1e9])
+def test_values_keep_the_promised_rounding(norm, idle, size):
+    """Against extended precision, of the set that the doubles c_i, M_i describe."""
+    random = np.random.default_rng(8)
+    contacts = [
+        soft_finger(size * random.normal(size=3), random.normal(size=3), 0.5, size * 0.1)
+        for _ in range(5)
+    ]
+    W = grasp_wrench_set(contacts, norm, idle=idle)
+    wide = np.longdouble
+    c, M = W.centres.astype(wide), W.axes.astype(wide)
+    largest = 0.0
+    for u in random.normal(size=(300, 6)) * 10.0 ** random.uniform(-6, 6, (300, 6)):
+        v = np.einsum("mkj,k->mj", M, u.astype(wide))
+        each = c @ u.astype(wide) + np.sqrt((v * v).sum(axis=1))
+        pushes = np.maximum(each, 0) if idle else each
+        exact = pushes.max() if norm == "l1" else pushes.sum()
+        promised = float(np.abs(u) @ np.array(W.core.error()))
+        value, point = W.support(u)
+        off = max(
+            abs(float(value - exact)), abs(float(point.astype(wide) @ u.astype(wide) - exact))
+        )
+        largest = max(largest, off / promised)
+    assert 1e-4 < largest <= 1
+
+
 def test_a_direction_without_friction_has_a_support_point():
     # u along the normal: every tangential force is as good as any other.
     W = grasp_wrench_set([soft_finger((0, 0, 0), (1, 0, 0), 0.5, 0.5)], idle=False)
