@@ -1,0 +1,144 @@
+"""Bounds of PD^g along the motions of ``bench/depth_models.py``, as in section 7 of the paper."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from depth_models import Model
+from timing import Spread, repetitions
+
+import pdg
+
+BUDGET = 1.0  # seconds of repetitions for each figure
+FEWEST, MOST = 5, 2000
+
+
+class Sample(NamedTuple):
+    """Bounds of PD^g under DISP (length) at one configuration.
+
+    Attributes
+    ----------
+    model : str
+    t : float
+        Where on the motion, from 0 to 1.
+    x, y, theta : float
+        The configuration.
+    lb, ub1, ub2 : float
+        Lower bound by pieces; upper bounds by separators and by hulls.
+    source : str
+        What UB1 comes from.
+    free_x, free_y, free_theta : float
+        The free configuration that shows UB1.
+    """
+
+    model: str
+    t: float
+    x: float
+    y: float
+    theta: float
+    lb: float
+    ub1: float
+    ub2: float
+    source: str
+    free_x: float
+    free_y: float
+    free_theta: float
+
+
+class Cost(NamedTuple):
+    """A row of the table: what the bodies consist of, and times for one query in milliseconds."""
+
+    model: str
+    vertices_a: int
+    vertices_b: int
+    pieces_a: int
+    pieces_b: int
+    separators: int
+    lb: float
+    lb_lower: float
+    lb_upper: float
+    ub1: float
+    ub1_lower: float
+    ub1_upper: float
+    ub2: float
+    ub2_lower: float
+    ub2_upper: float
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A model's bodies, decomposed once."""
+
+    model: Model
+    moving: pdg.ConvexPieces
+    fixed: pdg.ConvexSeparators
+
+    @classmethod
+    def of(cls, model: Model) -> Prepared:
+        """Decompose both bodies and enumerate the fixed one's separators."""
+        return cls(model, pdg.convex_pieces(model.moving), pdg.convex_separators(model.fixed))
+
+
+def samples(prepared: Prepared, count: int) -> Iterator[Sample]:
+    """Yield the bounds at evenly spaced configurations of the motion."""
+    A, B = prepared.moving, prepared.fixed
+    poses = prepared.model.configurations(count)
+    lower = pdg.generalized_depth_lower_bound(A, B.pieces, poses)
+    first = pdg.generalized_depth_upper_bound(A, B, poses)
+    second = pdg.generalized_depth_upper_bound(A, B, poses, method="hulls")
+    for k, pose in enumerate(poses.tolist()):
+        yield Sample(
+            prepared.model.name,
+            k / (count - 1),
+            *pose,
+            float(lower.depth[k]),
+            float(first.displacement[k]),
+            float(second.displacement[k]),
+            str(first.source[k, 0]),
+            *first.displaced_pose[k].tolist(),
+        )
+
+
+def cost(prepared: Prepared, count: int) -> Cost:
+    """Time each bound over the whole motion, bodies prepared, and divide by its configurations."""
+    A, B = prepared.moving, prepared.fixed
+    poses = prepared.model.configurations(count)
+
+    def milliseconds(call: Callable[[], object]) -> tuple[float, float, float]:
+        spread = Spread.of([1e3 * s / count for s in _seconds(call)])
+        return spread.median, spread.lower, spread.upper
+
+    return Cost(
+        prepared.model.name,
+        _vertices(prepared.model.moving),
+        _vertices(prepared.model.fixed),
+        len(A),
+        len(B.pieces),
+        len(B),
+        *milliseconds(lambda: pdg.generalized_depth_lower_bound(A, B.pieces, poses)),
+        *milliseconds(lambda: pdg.generalized_depth_upper_bound(A, B, poses)),
+        *milliseconds(lambda: pdg.generalized_depth_upper_bound(A, B, poses, method="hulls")),
+    )
+
+
+def broken(sample: Sample) -> str:
+    """Return which promise does not hold at a sample, or an empty string."""
+    for low, high in (("lb", "ub1"), ("ub1", "ub2")):
+        if not getattr(sample, low) <= getattr(sample, high):
+            return f"{low} > {high}"
+    return ""
+
+
+def _seconds(call: Callable[[], object]) -> Iterator[float]:
+    for _ in repetitions(BUDGET, FEWEST, MOST):
+        began = time.process_time()
+        call()
+        yield time.process_time() - began
+
+
+def _vertices(body: object) -> int:
+    rings = [body.exterior, *body.interiors]  # type: ignore[attr-defined]
+    return sum(len(ring.coords) - 1 for ring in rings)
