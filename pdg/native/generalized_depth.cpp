@@ -1,9 +1,6 @@
 #include "generalized_depth.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-
-#include "predicates.hpp"
 
 namespace pdg {
 namespace {
@@ -42,27 +39,19 @@ void find_deepest(const PieceSet& a, const PieceSet& b, DepthScratch& scratch) {
 
 }  // namespace
 
-bool overlap_exactly(const ConvexPolygon& a, const ConvexPolygon& b) {
-  for (const ConvexPolygon* polygon : {&a, &b}) {
-    if (!std::all_of(polygon->begin(), polygon->end(), in_exact_range)) {
-      throw std::invalid_argument("coordinate outside the range of exact arithmetic");
-    }
-  }
-  return pair_state(a, b) == PairState::kOverlap;
-}
-
 DepthLowerBound generalized_depth_lower_bound(const PieceSet& a, const PieceSet& b,
                                               const Pose& pose, DepthScratch& scratch) {
   place(a, pose, b.radius, scratch.placed);
   find_deepest(a, b, scratch);
   DepthLowerBound best;
   for (const Candidate& candidate : scratch.candidates) {
-    const TranslationalDepth pair = translational_depth(piece_at(scratch.placed, candidate.piece_a),
-                                                        b.polygons[candidate.piece_b]);
-    if (pair.state != PairState::kOverlap) continue;
-    if (best.piece_a >= 0 && pair.depth <= best.depth) continue;
-    best = {pair.depth, static_cast<int>(candidate.piece_a), static_cast<int>(candidate.piece_b),
-            pair};
+    // Of polygons that just overlap, rounding may leave a depth of 0.
+    const double beaten = best.piece_a >= 0 ? best.depth : -scratch.placed.error;
+    const auto pair = overlap_deeper_than(piece_at(scratch.placed, candidate.piece_a),
+                                          b.polygons[candidate.piece_b], beaten);
+    if (!pair) continue;
+    best = {pair->depth, static_cast<int>(candidate.piece_a), static_cast<int>(candidate.piece_b),
+            *pair};
   }
   return best;
 }

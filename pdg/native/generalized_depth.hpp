@@ -38,10 +38,6 @@ DepthLowerBound generalized_depth_lower_bound(const PieceSet& a, const PieceSet&
 DepthLowerBound generalized_depth_lower_bound(const PieceSet& a, const PieceSet& b,
                                               const Pose& pose);
 
-// Whether the polygons' interiors meet; exact. Throws std::invalid_argument for coordinates outside
-// the range of predicates.hpp.
-bool overlap_exactly(const ConvexPolygon& a, const ConvexPolygon& b);
-
 // Whether no pair of pieces overlaps, so that the bodies' interiors are disjoint: exact, for the
 // vertices of A as placed in doubles; by overlap_exactly, with its exception, where rounding leaves
 // a pair open.

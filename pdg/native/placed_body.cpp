@@ -52,25 +52,28 @@ std::size_t farthest_edge(const std::size_t count, const Vec2 point, const LineA
   return farthest;
 }
 
-void clear(PlacedBody& body) {
-  body.vertices.clear();
-  body.normals.clear();
-  body.offsets.clear();
-  body.centres.clear();
-  body.first.assign(1, 0);
-  body.boxes.clear();
+void make_room(const std::size_t pieces, const std::size_t vertices, PlacedBody& body) {
+  body.vertices.resize(vertices);
+  body.normals.resize(vertices);
+  body.offsets.resize(vertices);
+  body.centres.resize(pieces);
+  body.first.resize(pieces + 1);
+  body.first[0] = 0;
 }
 
-void add(const ConvexPiece& piece, const Rotation& rotation, const Vec2 t, PlacedBody& body) {
+void place_piece(const ConvexPiece& piece, const std::size_t i, const Rotation& rotation,
+                 const Vec2 t, PlacedBody& body) {
+  std::size_t k = body.first[i];
   for (const Edge& edge : piece.edges) {
     const Vec2 vertex = rotate(rotation, edge.vertex) + t;
     const Vec2 normal = rotate(rotation, edge.normal);
-    body.vertices.push_back(vertex);
-    body.normals.push_back(normal);
-    body.offsets.push_back(dot(normal, vertex));
+    body.vertices[k] = vertex;
+    body.normals[k] = normal;
+    body.offsets[k] = dot(normal, vertex);
+    ++k;
   }
-  body.centres.push_back(rotate(rotation, piece.centre) + t);
-  body.first.push_back(static_cast<std::uint32_t>(body.vertices.size()));
+  body.centres[i] = rotate(rotation, piece.centre) + t;
+  body.first[i + 1] = static_cast<std::uint32_t>(k);
 }
 
 double error_of(const PieceSet& body, const Pose& pose, const double other_radius) {
@@ -81,15 +84,19 @@ double error_of(const PieceSet& body, const Pose& pose, const double other_radiu
 
 void place_hull(const PieceSet& body, const Pose& pose, const double other_radius,
                 PlacedBody& result) {
-  clear(result);
-  add(body.hull_piece, rotation_of(pose.theta), pose.t, result);
+  make_room(1, body.hull_piece.edges.size(), result);
+  place_piece(body.hull_piece, 0, rotation_of(pose.theta), pose.t, result);
   result.error = error_of(body, pose, other_radius);
 }
 
 void place(const PieceSet& body, const Pose& pose, const double other_radius, PlacedBody& result) {
   const Rotation rotation = rotation_of(pose.theta);
-  clear(result);
-  for (const ConvexPiece& piece : body.pieces) add(piece, rotation, pose.t, result);
+  std::size_t vertices = 0;
+  for (const ConvexPiece& piece : body.pieces) vertices += piece.edges.size();
+  make_room(body.pieces.size(), vertices, result);
+  for (std::size_t i = 0; i < body.pieces.size(); ++i) {
+    place_piece(body.pieces[i], i, rotation, pose.t, result);
+  }
   const std::vector<BoxTree::Node>& nodes = body.tree.nodes;
   result.boxes.resize(nodes.size());
   for (std::size_t n = nodes.size(); n-- > 0;) {  // children before their parents

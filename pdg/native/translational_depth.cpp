@@ -57,10 +57,12 @@ struct Axis {
   Vec2 deepest;  // the other's vertex that attains the minimum
 };
 
-// The separating-axis function of greatest value among the edges of `owner`.
-Axis best_axis(const ConvexPolygon& owner, const ConvexPolygon& other) {
+// The separating-axis function of greatest value among the edges of `owner`; the first one found
+// that reaches `enough`.
+Axis best_axis(const ConvexPolygon& owner, const ConvexPolygon& other,
+               const double enough = kInfinity) {
   Axis best;
-  for (std::size_t k = 0; k < owner.size(); ++k) {
+  for (std::size_t k = 0; k < owner.size() && best.separation < enough; ++k) {
     Axis axis{kInfinity, {}, owner[k], next_vertex(owner, k), {}};
     axis.normal = outward_normal(axis.u, axis.v);
     for (const Vec2 w : other) {
@@ -77,9 +79,7 @@ Axis best_axis(const ConvexPolygon& owner, const ConvexPolygon& other) {
 }
 
 // PD^t = - max over all separating-axis functions s; the direction is that function's normal.
-TranslationalDepth overlap_depth(const ConvexPolygon& a, const ConvexPolygon& b) {
-  const Axis of_b = best_axis(b, a);
-  const Axis of_a = best_axis(a, b);
+TranslationalDepth depth_along(const Axis& of_a, const Axis& of_b) {
   TranslationalDepth result;
   if (of_b.separation >= of_a.separation) {
     result.depth = std::max(-of_b.separation, 0.0);
@@ -96,6 +96,18 @@ TranslationalDepth overlap_depth(const ConvexPolygon& a, const ConvexPolygon& b)
     result.on_b = result.on_a + result.depth * result.direction;
   }
   return result;
+}
+
+TranslationalDepth overlap_depth(const ConvexPolygon& a, const ConvexPolygon& b) {
+  return depth_along(best_axis(a, b), best_axis(b, a));
+}
+
+void require_exact_range(const ConvexPolygon& a, const ConvexPolygon& b) {
+  for (const ConvexPolygon* polygon : {&a, &b}) {
+    if (!std::all_of(polygon->begin(), polygon->end(), in_exact_range)) {
+      throw std::invalid_argument("coordinate outside the range of exact arithmetic");
+    }
+  }
 }
 
 // Closest points of disjoint convex polygons: a vertex of one and an edge of the other.
@@ -136,11 +148,7 @@ PairState pair_state(const ConvexPolygon& a, const ConvexPolygon& b) {
 }
 
 TranslationalDepth translational_depth(const ConvexPolygon& a, const ConvexPolygon& b) {
-  for (const ConvexPolygon* polygon : {&a, &b}) {
-    if (!std::all_of(polygon->begin(), polygon->end(), in_exact_range)) {
-      throw std::invalid_argument("coordinate outside the range of exact arithmetic");
-    }
-  }
+  require_exact_range(a, b);
   const PairState state = pair_state(a, b);
   TranslationalDepth result = state == PairState::kOverlap ? overlap_depth(a, b) : gap(a, b);
   result.state = state;
@@ -151,6 +159,24 @@ TranslationalDepth translational_depth(const ConvexPolygon& a, const ConvexPolyg
   if (state == PairState::kTouching) result.depth = 0.0;
   result.direction = result.direction + Vec2{};  // no -0
   return result;
+}
+
+std::optional<TranslationalDepth> overlap_deeper_than(const ConvexPolygon& a,
+                                                      const ConvexPolygon& b, const double depth) {
+  require_exact_range(a, b);
+  const Axis of_b = best_axis(b, a, -depth);
+  if (of_b.separation >= -depth) return std::nullopt;
+  const Axis of_a = best_axis(a, b, -depth);
+  if (of_a.separation >= -depth || pair_state(a, b) != PairState::kOverlap) return std::nullopt;
+  TranslationalDepth result = depth_along(of_a, of_b);
+  result.state = PairState::kOverlap;
+  result.direction = result.direction + Vec2{};  // no -0
+  return result;
+}
+
+bool overlap_exactly(const ConvexPolygon& a, const ConvexPolygon& b) {
+  require_exact_range(a, b);
+  return pair_state(a, b) == PairState::kOverlap;
 }
 
 }  // namespace pdg

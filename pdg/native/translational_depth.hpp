@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "polygon.hpp"
 
@@ -27,6 +28,14 @@ struct TranslationalDepth {
 // Both strictly convex, counter-clockwise, in the same frame. Throws std::invalid_argument for a
 // coordinate outside the range of predicates.hpp.
 TranslationalDepth translational_depth(const ConvexPolygon& a, const ConvexPolygon& b);
+
+// The same for polygons that overlap by more than `depth` (in the doubles of translational_depth);
+// else nothing, which is found out sooner. With the same exception.
+std::optional<TranslationalDepth> overlap_deeper_than(const ConvexPolygon& a,
+                                                      const ConvexPolygon& b, double depth);
+
+// Whether the interiors meet; exact, with the same exception.
+bool overlap_exactly(const ConvexPolygon& a, const ConvexPolygon& b);
 
 // The state alone; exact.
 PairState pair_state(const ConvexPolygon& a, const ConvexPolygon& b);
