@@ -24,6 +24,7 @@ from planar_planner.formats.xml_tree import parse_xml
 
 Matrix = NDArray[np.float64]
 _MAX_DEPTH = 100  # of nodes; a node that instances itself would never end
+_MAX_NODES = 10**5  # placed in all; few nodes can instance each other very often
 _UPRIGHT: Mapping[str, Matrix] = {  # to Y_UP, as the importer behind OMPL.app does it
     "Y_UP": np.eye(4),
     "Z_UP": np.array([[1, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1.0]]),
@@ -89,6 +90,7 @@ class Document:
 
     def __init__(self, root: ElementTree.Element) -> None:
         self.root = root
+        self.placed = 0  # nodes so far
         self._by_id = {e.get("id"): e for e in root.iter() if e.get("id") is not None}
 
     def find(self, reference: str | None, place: str) -> ElementTree.Element:
@@ -123,7 +125,8 @@ def _add_node(
     document: Document, node: ElementTree.Element, above: Matrix, mesh: Mesh, depth: int
 ) -> None:
     place = f"node {cut(node.get('id') or node.get('name') or '')!r}"
-    if depth > _MAX_DEPTH:
+    document.placed += 1
+    if depth > _MAX_DEPTH or document.placed > _MAX_NODES:
         raise SceneError("is nested too deeply, or contains itself", place)
     matrix = above @ _transform(node, place)
     for instance in node.findall("instance_geometry"):
