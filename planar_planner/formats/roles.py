@@ -5,12 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fnmatch import fnmatchcase
 
-ROLES = ("robot", "obstacle", "workspace", "start", "goal", "origin", "ignore")
+ROLES = (
+    "robot",
+    "obstacle",
+    "workspace",
+    "reference_bounds",
+    "start",
+    "goal",
+    "origin",
+    "ignore",
+)
 
 _KNOWN = (
     ("robot*", "robot"),
     ("obstacle*", "obstacle"),
     ("workspace*", "workspace"),
+    ("reference_bounds*", "reference_bounds"),
     ("start*", "start"),
     ("goal*", "goal"),
     ("origin*", "origin"),
