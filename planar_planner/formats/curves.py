@@ -25,10 +25,13 @@ Piece = tuple[Homogeneous, ...]
 Affine = tuple[float, float, float, float, float, float]
 """(a, b, c, d, e, f): x ↦ a·x + c·y + e, y ↦ b·x + d·y + f, as in SVG's ``matrix``."""
 
-SLACK = 2.0**-42
+SLACK = 2.0**-40
 """Relative to the largest coordinate, how far computed vertices are pushed to their side. Halving a
 curve of degree n by k levels makes n·k averages, each off by at most 2 roundings of 2^-53; with
-n ≤ 8 and k ≤ `MAX_HALVINGS` that is below 2^-43. Vertices that the file states stay exactly."""
+n ≤ 8 and k ≤ `MAX_HALVINGS` that is below `SLACK`/8. Joints within `SLACK`/4 of the line past them
+are left out. A push by `SLACK` covers both where the polygon turns by less than 130°. Vertices that
+the file states stay exactly."""
+
 
 MAX_HALVINGS = 48
 """Levels of halving after which a piece is shorter than `SLACK` unless it has a defect."""
@@ -152,7 +155,7 @@ def flattened(outline: Outline, side: int, tolerance: float) -> Ring:
     """
     size = max((max(abs(x), abs(y)) for x, y in control_points(outline)), default=0.0)
     slack = SLACK * size
-    how = _Limits(side, tolerance / 2, slack)
+    how = _Limits(side, tolerance, slack)
     chains: list[tuple[list[Point], bool]] = []
     for piece in outline.pieces:
         chain: list[Point] = []
@@ -164,15 +167,15 @@ def flattened(outline: Outline, side: int, tolerance: float) -> Ring:
     for k, (chain, curved) in enumerate(chains):
         ring += chain
         stated += [not (curved and chains[k - 1][1]), *[False] * (len(chain) - 1)]
-    return _pushed(ring, stated, side * slack)
+    return _pushed(*_without_joints(ring, stated, slack / 4), side * slack)
 
 
 @dataclass(frozen=True)
 class _Limits:
-    """Which side, how thin a hull must be on either side, and what is no length at all."""
+    """Which side, how thin a hull must be, and what is no length at all."""
 
     side: int
-    half: float
+    thickness: float
     slack: float
 
 
@@ -187,7 +190,7 @@ def _flatten(piece: Piece, how: _Limits, level: int, chain: list[Point]) -> None
         if points[0] != points[-1]:
             chain.append(points[0])
         return
-    if _is_thin(points, how.half):
+    if _is_thin(points, how.thickness):
         chain += _hull_chain(points, how.side)
         return
     if level == MAX_HALVINGS:
@@ -196,22 +199,22 @@ def _flatten(piece: Piece, how: _Limits, level: int, chain: list[Point]) -> None
         _flatten(part, how, level + 1, chain)
 
 
-def _is_thin(points: Sequence[Point], half: float) -> bool:
+def _is_thin(points: Sequence[Point], thickness: float) -> bool:
     """Return whether the hull is thin and control points go from beginning to end.
 
-    The curve then passes every place along its chord, and both it and the hull's boundary are
-    within `half` of the chord there, so within twice that of each other.
+    The curve then passes every place along its chord, and there both it and the hull's boundary are
+    within the hull, so within its thickness of each other.
     """
     (x0, y0), (x1, y1) = points[0], points[-1]
     length = math.hypot(x1 - x0, y1 - y0)
     if length == 0:
         return False
     dx, dy = (x1 - x0) / length, (y1 - y0) / length
-    for x, y in points[1:-1]:
-        along = (x - x0) * dx + (y - y0) * dy
-        if not 0 <= along <= length or abs((y - y0) * dx - (x - x0) * dy) > half:
-            return False
-    return True
+    across = [(y - y0) * dx - (x - x0) * dy for x, y in points[1:-1]]
+    along = [(x - x0) * dx + (y - y0) * dy for x, y in points[1:-1]]
+    if min(along) < 0 or max(along) > length:
+        return False
+    return max(0.0, *across) - min(0.0, *across) <= thickness
 
 
 def _hull_chain(points: Sequence[Point], side: int) -> list[Point]:
@@ -248,6 +251,27 @@ def _halves(piece: Piece) -> tuple[Piece, Piece]:
 
 def _point(p: Homogeneous) -> Point:
     return (p[0], p[1]) if p[2] == 1.0 else (p[0] / p[2], p[1] / p[2])
+
+
+def _without_joints(ring: Ring, stated: list[bool], near: float) -> tuple[Ring, list[bool]]:
+    """Leave out computed vertices on the line from the one before to the one after.
+
+    Where the pieces of a smooth curve meet, the polygon of control points goes straight on.
+    """
+    kept: Ring = []
+    kept_stated: list[bool] = []
+    for k, p in enumerate(ring):
+        a, b = (kept or ring)[-1], ring[(k + 1) % len(ring)]
+        length = math.dist(a, b)
+        if stated[k] or length == 0 or abs(_turn(a, b, p)) > near * length or not _past(a, b, p):
+            kept.append(p)
+            kept_stated.append(stated[k])
+    return kept, kept_stated
+
+
+def _past(a: Point, b: Point, p: Point) -> bool:
+    """Return whether p, near the line, is passed on the way from a to b."""
+    return (p[0] - a[0]) * (b[0] - p[0]) + (p[1] - a[1]) * (b[1] - p[1]) >= 0
 
 
 def _pushed(ring: Ring, stated: Sequence[bool], by: float) -> Ring:

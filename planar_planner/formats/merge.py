@@ -41,7 +41,7 @@ def merged(pieces: Sequence[Ring], place: str, notes: Notes) -> list[Shape]:
                 notes.count(f"overlapping pieces of the {place} kept apart", len(group))
             continue
         for polygon in union:
-            shapes += polygons_of(polygon, place, notes)
+            shapes += polygons_of(polygon, place, notes, "evenodd")
         notes.count(f"pieces of the {place} united", len(group))
     return shapes
 

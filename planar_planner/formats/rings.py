@@ -13,6 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from planar_planner.errors import SceneError
+from planar_planner.formats.exact import is_anticlockwise
 from planar_planner.formats.faces import region_of
 from planar_planner.formats.parts import Notes, Ring, Shape
 from planar_planner.raw_polygons import RawPolygons
@@ -60,7 +61,7 @@ def polygons_of(
             clean.append(kept)
     if not clean:
         return []
-    if _is_valid(clean):
+    if _reads_as_written(clean, rule) and _is_valid(clean):
         return [clean]
     try:
         shapes = region_of(clean, rule)
@@ -73,6 +74,17 @@ def polygons_of(
     else:
         notes.count("spikes without area cut off", 1)
     return shapes
+
+
+def _reads_as_written(rings: list[Ring], rule: str | None) -> bool:
+    """Return whether an outer ring with holes in it, as a polygon is written, is what is meant.
+
+    By the even–odd rule it is; by the other, if the holes run against the outer ring.
+    """
+    if len(rings) == 1 or rule == "evenodd":
+        return True
+    outer = is_anticlockwise(rings[0])
+    return all(is_anticlockwise(ring) != outer for ring in rings[1:])
 
 
 def _is_valid(shape: Shape) -> bool:

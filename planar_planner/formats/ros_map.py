@@ -29,6 +29,7 @@ MAX_CELLS = 2**26
 
 _MAX_DEPTH = 50  # of a parameter file
 _MAX_TEXT = 2**20  # bytes of a YAML file; its parser is slow, and such files are small
+_MAX_BRACKETS = 1000  # in it: the parser's time grows with the square of their nesting
 _MODES = ("trinary", "scale", "raw")
 
 
@@ -163,6 +164,8 @@ def _yaml(data: bytes) -> object:
     if len(data) > _MAX_TEXT:
         raise SceneError(f"is larger than {_MAX_TEXT} bytes")
     text = text_of(data)
+    if text.count("[") + text.count("{") > _MAX_BRACKETS:
+        raise SceneError(f"has more than {_MAX_BRACKETS} brackets, which no map has")
     try:
         aliases = any(isinstance(token, yaml.AliasToken) for token in yaml.scan(text))
         content: object = None if aliases else yaml.safe_load(text)

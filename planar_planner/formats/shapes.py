@@ -19,11 +19,14 @@ def shapes_of_geometry(geometry: object, path: str) -> Iterator[tuple[str, Shape
 
 
 def repaired(geometry: object, path: str, notes: Notes) -> list[Shape]:
-    """Return a geometry's polygons, valid and of the same region; see `polygons_of`."""
+    """Return a geometry's polygons, valid and of the same region; see `polygons_of`.
+
+    Rings after the first are holes whichever way they run: the even–odd rule.
+    """
     return [
         shape
         for place, rings in shapes_of_geometry(geometry, path)
-        for shape in polygons_of(rings, place, notes)
+        for shape in polygons_of(rings, place, notes, "evenodd" if len(rings) > 1 else None)
     ]
 
 

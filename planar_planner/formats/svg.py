@@ -280,7 +280,7 @@ def _transform(element: ElementTree.Element, place: str) -> Affine:
         return 1.0, 0.0, 0.0, 1.0, 0.0, 0.0
     svgpathtools: Any = require("svgpathtools.parser", "reading SVG", "svg")
     try:
-        m = svgpathtools.parse_transform(text)
+        m = svgpathtools.parse_transform(text, strict=True)
         values = [float(m[i][j]) for j in range(3) for i in range(2)]
     except Exception as error:  # whatever the parser raises on a broken transform
         reason = cut(" ".join(str(error).split())) or type(error).__name__

@@ -97,6 +97,7 @@ def _environment(rings: list[tuple[str, Ring]], notes: Notes) -> Parts:
     solid: list[tuple[str, list[Ring]]] = []
     hollow: list[tuple[str, Ring]] = []
     for place, ring in rings:
+        polygons_of([ring], place, Notes())  # a ring that crosses itself has no direction
         clean = without_repeats(ring)
         if len(set(clean)) < MIN_RING:
             notes.count("rings without area dropped")

@@ -27,7 +27,9 @@ def check(cells: np.ndarray) -> None:
             for a, b, c in zip(ring, ring[1:] + ring[:1], ring[2:] + ring[:2], strict=True):
                 assert (a[0] == b[0]) != (b[0] == c[0])
         notes = Notes()
-        assert polygons_of([[(float(x), float(y)) for x, y in r] for r in rings], "", notes)
+        assert polygons_of(
+            [[(float(x), float(y)) for x, y in r] for r in rings], "", notes, "evenodd"
+        )
         assert notes.as_lines() == ()
 
 
