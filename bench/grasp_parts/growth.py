@@ -1,4 +1,4 @@
-"""How the bracket narrows and the time grows with the iterations, in (b2), (e2) and (h)."""
+"""How the bracket narrows and the time grows with the iterations, in (b2), (e2), (h) and (a1)."""
 
 from __future__ import annotations
 
@@ -14,11 +14,13 @@ from pdg.grasp import WrenchSet, active_wrench_set, force_efficiency, grasp_wren
 
 SHOWN = ("b2", "e2", "h")
 COUNTS = 16
+REPETITIONS = 15
+LONGER = 10  # by which the eps of the last run is smaller
 HEADER = ("run", "iterations", "lower", "upper", "facets", "milliseconds", "exponent")
 
 
 def runs(eps: float) -> Iterator[Growth]:
-    """Yield W of each situation, then W^a of each."""
+    """Yield W of each situation of Fig. 4, then W^a of each; last a longer run, of (a1)."""
     chosen = [s for s in SITUATIONS if s.name in SHOWN]
     for situation in chosen:
         yield run(f"({situation.name}) W", grasp_wrench_set(situation.contacts()), eps)
@@ -26,6 +28,7 @@ def runs(eps: float) -> Iterator[Growth]:
         active = active_wrench_set(situation.hand())
         if active is not None:
             yield run(f"({situation.name}) W$^a$", active, eps)
+    yield run("(a1) W", grasp_wrench_set(SITUATIONS[0].contacts()), eps / LONGER)
 
 
 def run(title: str, wrenches: WrenchSet, eps: float) -> Growth:
@@ -35,11 +38,13 @@ def run(title: str, wrenches: WrenchSet, eps: float) -> Growth:
     counts = np.unique(np.linspace(1, whole.iterations, COUNTS).astype(int))
     seconds = np.array(
         [
-            timed(partial(force_efficiency, wrenches, None, eps, max_iterations=int(k)), 15)
+            timed(
+                partial(force_efficiency, wrenches, None, eps, max_iterations=int(k)), REPETITIONS
+            )
             for k in counts
         ]
     )
-    late = counts >= counts[-1] / 2
+    late = counts >= counts[-1] / 4
     exponent = float(np.polyfit(np.log(counts[late]), np.log(seconds[late]), 1)[0])
     return Growth(title, *steps.T, counts.astype(float), seconds, exponent)
 

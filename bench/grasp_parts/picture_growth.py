@@ -28,7 +28,7 @@ class Growth(NamedTuple):
     counts, seconds : ndarray of shape (n,)
         Least processor seconds of runs that stop after so many iterations.
     exponent : float
-        Slope of log(time) against log(iterations) over the second half of the counts.
+        Slope of log(time) against log(iterations) over the last three quarters of the counts.
     """
 
     title: str

@@ -5,6 +5,7 @@ Source: [GFE] Eqs. 8 and 16 and the end of section III.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -32,8 +33,9 @@ class ForceClosure:
     ----------
     state : {"closed", "open", "undecided"}
         "closed": the origin is proven to be an interior point of the convex hull of the W_i.
-        "open": it is proven not to be. "undecided": it is too close to the boundary for doubles
-        to tell, as when all contacts pull exactly along one wrench and none against it.
+        "open": it is proven not to be in that hull, or the hull is flat to within rounding.
+        "undecided": the origin is too close to the hull's boundary for doubles to tell, as when a
+        contact's force is balanced exactly by none; or the time limit was reached.
     direction : ndarray of shape (D,)
         A unit wrench direction; where "open", one along which no contact can push.
     resistance : float
@@ -53,7 +55,8 @@ class ForceEfficiency:
     ----------
     lower, upper : float
         Bracket of d_Q: the grasp applies every wrench of lower · Q, and not every one of a larger
-        multiple than upper. Both 0 without force closure.
+        multiple than upper. Without force closure lower is 0; so are both where contacts that must
+        not be idle cannot even make the zero wrench.
     direction : ndarray of shape (D,)
         Unit wrench direction u whose h(u)/h_Q(u) is `upper`: where the grasp is weakest.
     dimension : int
@@ -69,8 +72,8 @@ class ForceEfficiency:
     distance: PenetrationDistance
 
 
-def force_closure(wrenches: WrenchSet) -> ForceClosure:
-    """Return whether contacts can balance every wrench, by a proof either way.
+def force_closure(wrenches: WrenchSet, time_limit: float = math.inf) -> ForceClosure:
+    """Return whether contacts can balance every wrench, with the direction that shows it.
 
     A grasp has force closure in the space of its wrenches if the origin is an interior point of
     conv(W_1 ∪ … ∪ W_m). For W^a that means that joint torques alone can make every wrench of its
@@ -80,15 +83,24 @@ def force_closure(wrenches: WrenchSet) -> ForceClosure:
     ----------
     wrenches : WrenchSet
         Of either norm; the answer is the same.
+    time_limit : float
+        Seconds.
 
     Returns
     -------
     ForceClosure
-        A proof for the wrenches c_i, M_i as rounded to doubles.
+        For the wrenches c_i, M_i as rounded to doubles.
+
+    Raises
+    ------
+    PdgError
+        For a time limit that is negative or no number.
     """
     primitive = WrenchSet(wrenches.centres, wrenches.axes, "l1", False, wrenches.basis)
     ball = Ball(primitive.dimension)
-    found = penetration_distance(primitive, ball, 0.0, relative_eps=_CLOSURE_GAP)
+    found = penetration_distance(
+        primitive, ball, 0.0, relative_eps=_CLOSURE_GAP, time_limit=time_limit
+    )
     resistance, _ = primitive.support(found.direction)
     u = wrenches.basis @ found.direction
     if found.state == "inside" and found.lower > 0:

@@ -242,6 +242,18 @@ def test_force_closure(norm):
     assert force_efficiency(grasp_wrench_set(above, norm)).upper <= 1e-4
 
 
+def test_balance_without_a_margin_is_undecided():
+    """Frictionless contacts in the plane whose lines meet in one point cannot resist a torque."""
+    angles = np.radians([90, 210, 330])
+    meeting = [frictionless((np.cos(a), np.sin(a)), (-np.cos(a), -np.sin(a))) for a in angles]
+    assert force_closure(grasp_wrench_set(meeting)).state != "closed"
+    # A fourth, off that point: its torque is balanced by none.
+    fourth = frictionless((0.5, -0.9), (0, 1))
+    found = force_closure(grasp_wrench_set([*meeting, fourth]))
+    assert found.state != "closed"
+    assert abs(found.resistance) < 1e-12 or found.resistance < 0
+
+
 def test_two_point_contacts_do_not_resist_turning_about_their_line():
     pair = [point_contact((-1, 0, 0), (1, 0, 0), 0.5), point_contact((1, 0, 0), (-1, 0, 0), 0.5)]
     closure = force_closure(grasp_wrench_set(pair))
@@ -267,6 +279,7 @@ def test_limits_are_passed_on():
         (lambda W: force_efficiency(W, "ball"), "Q", "ball"),
         (lambda W: force_efficiency(W, Ball(6, centre=[2, 0, 0, 0, 0, 0])), "Q", None),
         (lambda W: force_efficiency(W, None, -1.0), "eps", -1.0),
+        (lambda W: force_closure(W, -1.0), "time_limit", -1.0),
     ],
 )
 def test_bad_arguments(call, name, value):
