@@ -129,6 +129,7 @@ NB_MODULE(_core, m) {  // NOLINT(bugprone-signed-bitwise): inside the macro
   m.attr("MAX_COORDINATE") = pdg::kMaxCoordinate;
   pdg::python::bind_piece_set(m);
   pdg::python::bind_batches(m);
+  pdg::python::bind_bracket(m);
   pdg::python::bind_depths(m);
   pdg::python::bind_upper_bounds(m);
   pdg::python::bind_motions(m);

@@ -6,6 +6,7 @@
 namespace pdg::python {
 
 void bind_batches(nanobind::module_& m);
+void bind_bracket(nanobind::module_& m);
 void bind_depths(nanobind::module_& m);
 void bind_distance(nanobind::module_& m);
 void bind_grasp(nanobind::module_& m);

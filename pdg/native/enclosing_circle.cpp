@@ -1,9 +1,12 @@
 #include "enclosing_circle.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <random>
 #include <span>
+#include <utility>
 
 #include "tolerances.hpp"
 
@@ -12,44 +15,77 @@ namespace {
 
 constexpr std::minstd_rand::result_type kShuffleSeed = 1;
 
-bool holds(const Circle& circle, const Vec2 p) {
+// The circle through the points that it rests on, and its centre as their weighted mean.
+struct Supported {
+  std::array<Vec2, 3> support{};
+  std::array<double, 3> weights{1.0, 0.0, 0.0};
+  Vec2 centre;
+  double radius = 0.0;
+};
+
+bool holds(const Supported& circle, const Vec2 p) {
   return norm(p - circle.centre) <= circle.radius * kRadiusPadding;
 }
 
-Circle through(const Vec2 a, const Vec2 b) {
-  return {0.5 * (a + b), 0.5 * norm(b - a)};
+Vec2 weighted_mean(const Supported& circle) {
+  const auto& [a, b, c] = circle.support;
+  return a + circle.weights[1] * (b - a) + circle.weights[2] * (c - a);
 }
 
-// The circle through three points; through the farthest two if they are on a line.
-Circle through(const Vec2 a, const Vec2 b, const Vec2 c) {
-  // Scaled, so that the cubes below neither over- nor underflow.
-  const double scale = std::max(norm(b - a), norm(c - a));
-  if (scale == 0.0) return {a, 0.0};
-  const Vec2 u = (1.0 / scale) * (b - a);
-  const Vec2 v = (1.0 / scale) * (c - a);
-  const double twice = 2.0 * cross(u, v);
-  if (twice == 0.0) {
-    const Circle longest[] = {through(a, b), through(b, c), through(c, a)};
-    return *std::max_element(std::begin(longest), std::end(longest),
-                             [](const Circle& p, const Circle& q) { return p.radius < q.radius; });
-  }
-  const Vec2 to_centre =
-      (scale / twice) * Vec2{v.y * dot(u, u) - u.y * dot(v, v), u.x * dot(v, v) - v.x * dot(u, u)};
-  return {a + to_centre, norm(to_centre)};
+Supported at(const Vec2 a) {
+  return {{a, a, a}, {1.0, 0.0, 0.0}, a, 0.0};
 }
 
-Circle round_with(const std::span<const Vec2> points, const Vec2 first, const Vec2 second) {
-  Circle circle = through(first, second);
+Supported through(const Vec2 a, const Vec2 b) {
+  return {{a, b, a}, {0.5, 0.5, 0.0}, a + 0.5 * (b - a), 0.5 * norm(b - a)};
+}
+
+// The circle through three points; through the farthest two if they are on a line. With p, q, r the
+// squared sides opposite, the weights are p (q + r - p) and so on; an obtuse angle's is negative.
+Supported through(const Vec2 a, const Vec2 b, const Vec2 c) {
+  double p = dot(b - c, b - c);
+  double q = dot(c - a, c - a);
+  double r = dot(a - b, a - b);
+  const double longest = std::max({p, q, r});
+  if (longest == 0.0) return at(a);
+  // Scaled, so that the products below neither over- nor underflow.
+  p /= longest;
+  q /= longest;
+  r /= longest;
+  const std::array<double, 3> weights{p * (q + r - p), q * (r + p - q), r * (p + q - r)};
+  const double sum = weights[0] + weights[1] + weights[2];
+  if (sum <= 0.0) return p == 1.0 ? through(b, c) : q == 1.0 ? through(c, a) : through(a, b);
+  Supported circle{{a, b, c}, {weights[0] / sum, weights[1] / sum, weights[2] / sum}, {}, 0.0};
+  circle.centre = weighted_mean(circle);
+  circle.radius = norm(a - circle.centre);
+  return circle;
+}
+
+Supported round_with(const std::span<const Vec2> points, const Vec2 first, const Vec2 second) {
+  Supported circle = through(first, second);
   for (const Vec2 p : points) {
     if (!holds(circle, p)) circle = through(first, second, p);
   }
   return circle;
 }
 
-Circle round_with(const std::span<const Vec2> points, const Vec2 first) {
-  Circle circle{first, 0.0};
+Supported round_with(const std::span<const Vec2> points, const Vec2 first) {
+  Supported circle = at(first);
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!holds(circle, points[k])) circle = round_with(points.first(k), first, points[k]);
+  }
+  return circle;
+}
+
+Supported smallest(std::vector<Vec2> points) {
+  // The same numbers each time, and everywhere: std::shuffle's use of them would not be.
+  std::minstd_rand order(kShuffleSeed);  // NOLINT(bugprone-random-generator-seed)
+  for (std::size_t k = points.size(); k > 1; --k) std::swap(points[k - 1], points[order() % k]);
+  Supported circle;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (k == 0 || !holds(circle, points[k])) {
+      circle = round_with(std::span(points).first(k), points[k]);
+    }
   }
   return circle;
 }
@@ -57,16 +93,31 @@ Circle round_with(const std::span<const Vec2> points, const Vec2 first) {
 }  // namespace
 
 Circle smallest_enclosing_circle(std::vector<Vec2> points) {
-  // The same numbers each time, and everywhere: std::shuffle's use of them would not be.
-  std::minstd_rand order(kShuffleSeed);  // NOLINT(bugprone-random-generator-seed)
-  for (std::size_t k = points.size(); k > 1; --k) std::swap(points[k - 1], points[order() % k]);
-  Circle circle;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (k == 0 || !holds(circle, points[k])) {
-      circle = round_with(std::span(points).first(k), points[k]);
-    }
+  const Supported circle = smallest(std::move(points));
+  return {circle.centre, circle.radius};
+}
+
+CircleBounds enclosing_circle_bounds(const std::vector<Vec2>& points) {
+  Supported circle = smallest(points);
+  // Of the smallest circle no weight is negative but by rounding.
+  double sum = 0.0;
+  for (double& w : circle.weights) {
+    w = std::max(0.0, w);
+    sum += w;
   }
-  return circle;
+  for (double& w : circle.weights) w /= sum;
+  CircleBounds bounds;
+  bounds.centre = weighted_mean(circle);
+  double mean = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2 from = circle.support[k] - bounds.centre;
+    mean += circle.weights[k] * dot(from, from);
+  }
+  bounds.inner = std::sqrt(mean) / kRadiusPadding;
+  for (const Vec2 p : points) {
+    bounds.outer = std::max(bounds.outer, norm(p - bounds.centre) * kRadiusPadding);
+  }
+  return bounds;
 }
 
 }  // namespace pdg

@@ -44,8 +44,9 @@ double FarthestPoint::value(const Vec2 t) const {
 }
 
 // The minimum lies between a point where the highest parabola falls and one where it rises. The
-// least value of those two parabolas' maximum is taken again and again; each time another parabola
-// is highest there, so it ends.
+// least value of those two parabolas' maximum is taken again and again; each time a parabola is
+// highest there that was not before, so it ends after as many steps as there are parabolas; further
+// ones would follow roundings.
 double FarthestPoint::least_on(const Line& line, const double low, const double high) const {
   if (offsets.size() == 1) {
     return std::clamp(-parabola(line, offsets.front()).slope, low, high);
@@ -56,8 +57,9 @@ double FarthestPoint::least_on(const Line& line, const double low, const double 
   if (high + rises.slope <= 0.0) return high;
   double from = low;
   double to = high;
-  for (;;) {
-    double s = -falls.slope;
+  double s = low;
+  for (std::size_t step = 0; step < offsets.size(); ++step) {
+    s = -falls.slope;
     if (falls.at(s) < rises.at(s)) {
       s = -rises.slope;
       if (rises.at(s) < falls.at(s)) {
@@ -69,10 +71,9 @@ double FarthestPoint::least_on(const Line& line, const double low, const double 
     if (top.at(s) <= std::max(falls.at(s), rises.at(s))) return s;
     const bool rising = s + top.slope > 0.0;
     (rising ? rises : falls) = top;
-    double& end = rising ? to : from;
-    if (end == s) return s;  // rounding only
-    end = s;
+    (rising ? to : from) = s;
   }
+  return s;
 }
 
 double FarthestPoint::reach(const double value) const {

@@ -139,7 +139,9 @@ class Search {
         if (!in_box(polygon.box, t)) continue;
         const std::optional<Stretch> covered = cover(polygon, line, s);
         if (!covered) continue;
-        s = direction > 0.0 ? covered->high : covered->low;
+        const double exit = direction > 0.0 ? covered->high : covered->low;
+        if (!(direction * exit > direction * s)) continue;  // at its end, up to rounding
+        s = exit;
         if (!(direction * s <= direction * end)) return std::nullopt;
         recent_ = (k + recent_) % slice_.polygons.size();
         moved = true;

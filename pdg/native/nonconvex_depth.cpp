@@ -18,19 +18,6 @@
 namespace pdg {
 namespace {
 
-bool some_pair_overlaps(const std::vector<ConvexPolygon>& a, const PieceSet& b) {
-  std::vector<std::int32_t> near;
-  for (const ConvexPolygon& piece : a) {
-    near.clear();
-    find_meeting(b.tree, bounding_box(piece), near);
-    for (const std::int32_t j : near) {
-      const ConvexPolygon& other = b.polygons[static_cast<std::size_t>(j)];
-      if (pair_state(piece, other) == PairState::kOverlap) return true;
-    }
-  }
-  return false;
-}
-
 double box_distance(const Box& a, const Box& b) {
   return std::hypot(std::max({0.0, a.low.x - b.high.x, b.low.x - a.high.x}),
                     std::max({0.0, a.low.y - b.high.y, b.low.y - a.high.y}));
@@ -109,19 +96,37 @@ TranslationalDepth way_out(const std::vector<ConvexPolygon>& a, const PieceSet& 
 
 }  // namespace
 
+bool interiors_meet(const std::vector<ConvexPolygon>& a, const PieceSet& b) {
+  std::vector<std::int32_t> near;
+  for (const ConvexPolygon& piece : a) {
+    near.clear();
+    find_meeting(b.tree, bounding_box(piece), near);
+    for (const std::int32_t j : near) {
+      const ConvexPolygon& other = b.polygons[static_cast<std::size_t>(j)];
+      if (pair_state(piece, other) == PairState::kOverlap) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<ConvexPolygon> placed(const PieceSet& a, const Pose& pose) {
+  std::vector<ConvexPolygon> moved;
+  moved.reserve(a.polygons.size());
+  for (const ConvexPolygon& polygon : a.polygons) moved.push_back(placed(polygon, pose));
+  return moved;
+}
+
 TranslationalDepth translational_depth(const PieceSet& a, const PieceSet& b, const Pose& pose) {
   if (a.polygons.size() == 1 && b.polygons.size() == 1) {
     return translational_depth(placed(a.polygons[0], pose), b.polygons[0]);
   }
-  std::vector<ConvexPolygon> moved;
-  moved.reserve(a.polygons.size());
-  for (const ConvexPolygon& polygon : a.polygons) {
-    moved.push_back(placed(polygon, pose));
-    if (!std::all_of(moved.back().begin(), moved.back().end(), in_exact_range)) {
+  const std::vector<ConvexPolygon> moved = placed(a, pose);
+  for (const ConvexPolygon& polygon : moved) {
+    if (!std::all_of(polygon.begin(), polygon.end(), in_exact_range)) {
       throw std::invalid_argument("coordinate outside the range of exact arithmetic");
     }
   }
-  return some_pair_overlaps(moved, b) ? way_out(moved, b) : nearest_pair(moved, b);
+  return interiors_meet(moved, b) ? way_out(moved, b) : nearest_pair(moved, b);
 }
 
 }  // namespace pdg

@@ -1,0 +1,49 @@
+// Brackets of the generalized depth for Python.
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/tuple.h>
+
+#include <chrono>
+#include <cstdint>
+#include <tuple>
+
+#include "bindings_arrays.hpp"
+#include "bindings_subjects.hpp"
+#include "bracket.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace pdg::python {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Without the interpreter's lock; looks at the clock and at signals between nodes.
+auto bracket_depth(const pdg::PieceSet& a, const pdg::PieceSet& b, const Triple& pose,
+                   const double rel_tol, const double seconds, const std::uint64_t nodes) {
+  constexpr std::uint64_t kNodesBetweenSignals = 256;
+  const Clock::time_point begin = Clock::now();
+  std::uint64_t asked = 0;
+  pdg::BracketLimits limits{rel_tol, nodes, {}};
+  limits.stop = [&] {
+    if (++asked % kNodesBetweenSignals == 0) {
+      const nb::gil_scoped_acquire acquire;
+      if (PyErr_CheckSignals() != 0) throw nb::python_error();
+    }
+    return std::chrono::duration<double>(Clock::now() - begin).count() >= seconds;
+  };
+  const nb::gil_scoped_release release;
+  const pdg::Bracket found = pdg::bracket_depth(a, b, to_pose(pose), limits);
+  const Triple free_pose{found.pose.t.x, found.pose.t.y, found.pose.theta};
+  return std::tuple{found.lower, found.upper,  free_pose,
+                    found.nodes, found.slices, static_cast<int>(found.end)};
+}
+
+}  // namespace
+
+void bind_bracket(nb::module_& m) {
+  m.def("bracket_depth", &bracket_depth, "a"_a, "b"_a, "pose"_a, "rel_tol"_a, "seconds"_a,
+        "nodes"_a);
+}
+
+}  // namespace pdg::python
