@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 
 #include "tolerances.hpp"
 
@@ -42,6 +43,7 @@ class Search {
     if (f_.radius >= bound_) return std::nullopt;
     if (!origin_is_covered && !is_covered({})) return SliceMinimum{{}, f_.radius, -1};
     reach_ = f_.reach(bound_);
+    sort_polygons();
     collect_edges();
     while (!edges_.empty() && edges_.front().distance < reach_) {
       search_edge(edges_.front());
@@ -60,6 +62,19 @@ class Search {
 
   static bool later(const Edge& a, const Edge& b) {
     return a.distance != b.distance ? a.distance > b.distance : a.plane > b.plane;
+  }
+
+  // Large ones cover most.
+  void sort_polygons() {
+    std::vector<double> areas;
+    for (const ObstacleSlice::Polygon& polygon : slice_.polygons) {
+      const Vec2 size = polygon.box.high - polygon.box.low;
+      areas.push_back(size.x * size.y);
+    }
+    by_size_.resize(areas.size());
+    std::iota(by_size_.begin(), by_size_.end(), std::size_t{0});
+    std::stable_sort(by_size_.begin(), by_size_.end(),
+                     [&](const std::size_t a, const std::size_t b) { return areas[a] > areas[b]; });
   }
 
   void collect_edges() {
@@ -133,9 +148,8 @@ class Search {
     for (bool moved = true; moved;) {
       moved = false;
       const Vec2 t = point_at(line, s);
-      for (std::size_t k = 0; k < slice_.polygons.size(); ++k) {
-        const ObstacleSlice::Polygon& polygon =
-            slice_.polygons[(k + recent_) % slice_.polygons.size()];
+      for (std::size_t k = 0; k < by_size_.size(); ++k) {
+        const ObstacleSlice::Polygon& polygon = slice_.polygons[by_size_[k]];
         if (!in_box(polygon.box, t)) continue;
         const std::optional<Stretch> covered = cover(polygon, line, s);
         if (!covered) continue;
@@ -143,28 +157,32 @@ class Search {
         if (!(direction * exit > direction * s)) continue;  // at its end, up to rounding
         s = exit;
         if (!(direction * s <= direction * end)) return std::nullopt;
-        recent_ = (k + recent_) % slice_.polygons.size();
         moved = true;
         break;
       }
-      if (moved && f_.value(point_at(line, s)) >= bound_) return std::nullopt;
     }
     return s;
   }
 
+  // Most edges are covered from end to end, which is cheaper to see than where f is least.
   void search_edge(const Edge& edge) {
     const HalfPlane& plane = slice_.planes[edge.plane];
     const Line line{plane.offset * plane.normal, perp(plane.normal)};
     const Stretch on = extent(edge, line);
     if (!(on.low <= on.high)) return;
+    const double nearest = std::clamp(0.0, on.low, on.high);
+    if (std::hypot(edge.distance, nearest) >= reach_) return;
+    std::optional<double> above = first_free(line, nearest, on.high, 1.0);
+    std::optional<double> below = first_free(line, nearest, on.low, -1.0);
+    if (!above && !below) return;
     const double least = f_.least_on(line, on.low, on.high);
     if (f_.value(point_at(line, least)) >= bound_) return;
-    for (const double direction : {1.0, -1.0}) {
-      const double end = direction > 0.0 ? on.high : on.low;
-      const std::optional<double> s = first_free(line, least, end, direction);
-      if (s) offer(edge, point_at(line, *s));
-      if (s == least) return;
+    if (least < below.value_or(on.low) || least > above.value_or(on.high)) {
+      above = first_free(line, least, on.high, 1.0);
+      below = first_free(line, least, on.low, -1.0);
     }
+    if (above) offer(edge, point_at(line, *above));
+    if (below) offer(edge, point_at(line, *below));
   }
 
   void offer(const Edge& edge, const Vec2 t) {
@@ -182,7 +200,7 @@ class Search {
   double overlap_;  // by how much edges are prolonged
   double bound_;
   double reach_ = 0.0;
-  std::size_t recent_ = 0;  // the polygon that covered last
+  std::vector<std::size_t> by_size_;  // polygons, those with the largest boxes first
   std::vector<Edge> edges_;
   std::optional<SliceMinimum> best_;
 };
