@@ -6,6 +6,7 @@ C-obstacle query. Knows nothing of planning.
 
 from pdg import sets
 from pdg.depth import generalized_depth_lower_bound, translational_depth
+from pdg.depth_bracket import DepthBracket, bracket
 from pdg.distance import PenetrationDistance, penetration_distance
 from pdg.errors import PdgError
 from pdg.motion import MotionBounds, displacement, generalized_distance_bounds, motion_bounds
@@ -31,6 +32,7 @@ __all__ = [
     "CObstacleVerdicts",
     "ConvexPieces",
     "ConvexSeparators",
+    "DepthBracket",
     "DepthLowerBound",
     "DepthLowerBounds",
     "DepthUpperBound",
@@ -41,6 +43,7 @@ __all__ = [
     "PenetrationDistance",
     "TranslationalDepth",
     "TranslationalDepths",
+    "bracket",
     "c_obstacle_query",
     "convex_pieces",
     "convex_separators",

@@ -1,10 +1,12 @@
 // Brackets of the generalized depth for Python.
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/tuple.h>
 
 #include <chrono>
 #include <cstdint>
 #include <tuple>
+#include <utility>
 
 #include "bindings_arrays.hpp"
 #include "bindings_subjects.hpp"
@@ -34,9 +36,13 @@ auto bracket_depth(const pdg::PieceSet& a, const pdg::PieceSet& b, const Triple&
   };
   const nb::gil_scoped_release release;
   const pdg::Bracket found = pdg::bracket_depth(a, b, to_pose(pose), limits);
-  const Triple free_pose{found.pose.t.x, found.pose.t.y, found.pose.theta};
-  return std::tuple{found.lower, found.upper,  free_pose,
-                    found.nodes, found.slices, static_cast<int>(found.end)};
+  const auto triple = [](const pdg::Pose& q) { return Triple{q.t.x, q.t.y, q.theta}; };
+  return std::tuple{found.lower,
+                    std::pair{found.displaced.displacement, triple(found.displaced.pose)},
+                    std::pair{found.distanced.distance, triple(found.distanced.pose)},
+                    found.nodes,
+                    found.slices,
+                    static_cast<int>(found.end)};
 }
 
 }  // namespace

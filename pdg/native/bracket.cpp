@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <queue>
 #include <vector>
 
 #include "bracket_slices.hpp"
-#include "convex_hull.hpp"
-#include "displacement.hpp"
+#include "depth_upper_bound.hpp"
 #include "generalized_depth.hpp"
-#include "nonconvex_depth.hpp"
 #include "tolerances.hpp"
 
 namespace pdg {
@@ -31,23 +30,20 @@ struct LaterFirst {
 // To begin with the turns in question are cut into so many ranges.
 constexpr int kFirstRanges = 8;
 
-// The way out of the hulls' overlap, lengthened until the pose is free.
+// The way out of the hulls' overlap.
 FreePose out_of_hulls(const PieceSet& a, const PieceSet& b, const Pose& q0) {
-  const TranslationalDepth hulls =
-      translational_depth(convex_hull(placed(a, q0)), convex_hull(b.polygons));
-  const double extent = a.radius + norm(q0.t) + b.radius;
-  for (double more = kUnitRoundoff * extent;; more *= 2.0) {
-    const Pose pose{q0.t + (hulls.depth + more) * hulls.direction, q0.theta};
-    if (interiors_meet(placed(a, pose), b)) continue;
-    const double error = kDisplacementErrorUnits * kUnitRoundoff * (extent + norm(pose.t));
-    return {pose, displacement(a, q0, pose) + error};
-  }
+  UpperBoundScratch scratch;
+  const Pose pose = hull_upper_bound(a, b, q0, scratch).displaced.pose;
+  return measured(a, q0, pose);
 }
 
 class BranchAndBound {
  public:
   BranchAndBound(const PieceSet& a, const PieceSet& b, const Pose& q0, const BracketLimits& limits)
-      : limits_(limits), best_(out_of_hulls(a, b, q0)), slices_(a, b, q0, best_.displacement) {
+      : limits_(limits),
+        best_(out_of_hulls(a, b, q0)),
+        nearest_(best_),
+        slices_(a, b, q0, best_.displacement) {
     // PD^t of pieces bounds PD^g from below under DISP ([PDG] section 6.1).
     const double error =
         kDepthErrorUnits * kUnitRoundoff * (2.0 * a.radius + 2.0 * norm(q0.t) + 2.0 * b.radius);
@@ -59,8 +55,8 @@ class BranchAndBound {
     split_first();
     result_.end = search();
     result_.lower = std::min(lower(), best_.displacement);
-    result_.upper = best_.displacement;
-    result_.pose = best_.pose;
+    result_.displaced = best_;
+    result_.distanced = nearest_;
     result_.slices = slices_.slices();
     return result_;
   }
@@ -88,11 +84,11 @@ class BranchAndBound {
       if (best_.displacement - lower() <= limits_.rel_tol * best_.displacement) {
         return BracketEnd::kTolerance;
       }
-      if (result_.nodes >= limits_.nodes) return BracketEnd::kNodes;
+      if (result_.nodes + 2 > limits_.nodes) return BracketEnd::kNodes;
       if (limits_.stop && limits_.stop()) return BracketEnd::kStopped;
       const Range range = ranges_.top();
       const double half = 0.5 * range.half;
-      if (half <= kUnitRoundoff * std::abs(range.middle)) return BracketEnd::kRounding;
+      if (half * slices_.radius() < slices_.error()) return BracketEnd::kRounding;
       ranges_.pop();
       judge({range.lower, range.middle - half, half});
       judge({range.lower, range.middle + half, half});
@@ -114,13 +110,15 @@ class BranchAndBound {
   bool improve(const double delta) {
     const std::optional<FreePose> found = slices_.nearest_free(delta, best_.displacement);
     if (found) best_ = *found;
+    if (found && found->distance < nearest_.distance) nearest_ = *found;
     return found.has_value();
   }
 
   // Walks downhill over the angle from an angle that improves on the best pose, if this one does.
   void descend(double delta, double step) {
     if (!improve(delta)) return;
-    while (step * slices_.radius() > kDescentEnd * limits_.rel_tol * best_.displacement) {
+    while (step * slices_.radius() >
+           std::max(kDescentEnd * limits_.rel_tol * best_.displacement, slices_.error())) {
       if (improve(delta + step)) {
         delta += step;
       } else if (improve(delta - step)) {
@@ -137,7 +135,8 @@ class BranchAndBound {
   static constexpr double kDescentEnd = 0.05;
 
   const BracketLimits& limits_;
-  FreePose best_;
+  FreePose best_;     // under DISP
+  FreePose nearest_;  // under D_g
   BracketSlices slices_;
   double least_ = 0.0;
   std::priority_queue<Range, std::vector<Range>, LaterFirst> ranges_;
@@ -148,9 +147,10 @@ class BranchAndBound {
 
 Bracket bracket_depth(const PieceSet& a, const PieceSet& b, const Pose& q0,
                       const BracketLimits& limits) {
-  if (!interiors_meet(placed(a, q0), b)) {
+  DepthScratch scratch;
+  if (interiors_are_disjoint(a, b, q0, scratch)) {
     Bracket apart;
-    apart.pose = q0;
+    apart.displaced.pose = apart.distanced.pose = q0;
     return apart;
   }
   return BranchAndBound(a, b, q0, limits).run();

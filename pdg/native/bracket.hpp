@@ -5,25 +5,26 @@
 #include <cstdint>
 #include <functional>
 
+#include "bracket_slices.hpp"
 #include "piece_set.hpp"
 
 namespace pdg {
 
 enum class BracketEnd : std::uint8_t {
-  kTolerance,  // upper - lower <= rel_tol * upper
+  kTolerance,  // upper - lower <= rel_tol * upper, under DISP
   kStopped,    // `stop` said so
   kNodes,      // the limit of nodes
-  kRounding,   // no range of angles left that doubles can split
+  kRounding,   // the range that bounds it is as narrow as roundings allow
 };
 
-// lower <= PD^g <= upper under DISP, for the exact geometry of the doubles given, and DISP(q0,
-// pose) <= upper, where `pose` is free: no interiors of pieces meet, decided exactly for the
-// vertices as placed in doubles. That `upper` is an upper bound is true of those vertices: their
-// rounding, 8 u (|a| + |t|), is not in it.
+// lower <= PD^g under DISP <= displaced.displacement, and lower <= PD^g under D_g <=
+// distanced.distance, as DISP <= D_g. `lower` is rigorous: true of the exact geometry of the
+// doubles given. The poses are free: no interiors of pieces meet, decided exactly for A's vertices
+// as placed in doubles; their rounding, 8 u (|a| + |t|), is not in the upper bounds.
 struct Bracket {
   double lower = 0.0;
-  double upper = 0.0;
-  Pose pose;
+  FreePose displaced;
+  FreePose distanced;
   std::uint64_t nodes = 0;   // ranges of angles judged
   std::uint64_t slices = 0;  // Minkowski slices made
   BracketEnd end = BracketEnd::kTolerance;
@@ -31,11 +32,11 @@ struct Bracket {
 
 struct BracketLimits {
   double rel_tol = 1e-3;
-  std::uint64_t nodes = 0;     // at most so many
+  std::uint64_t nodes = 0;     // at most so many; 0 still gives a bracket
   std::function<bool()> stop;  // asked between nodes; true ends the search
 };
 
-// Both bounds are 0 and the pose is q0 when the interiors do not meet at q0.
+// All bounds are 0 and the poses q0 when the interiors do not meet at q0.
 Bracket bracket_depth(const PieceSet& a, const PieceSet& b, const Pose& q0,
                       const BracketLimits& limits);
 

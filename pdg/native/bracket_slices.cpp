@@ -5,10 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "convex_hull.hpp"
 #include "displacement.hpp"
 #include "minkowski_slice.hpp"
-#include "nonconvex_depth.hpp"
 #include "tolerances.hpp"
 #include "turning_core.hpp"
 
@@ -19,7 +17,7 @@ namespace {
 constexpr std::array<double, 6> kGrowths{0.0, 1.0, 4.0, 16.0, 64.0, 256.0};
 
 void grow(ObstacleSlice& slice, const double by) {
-  for (HalfPlane& plane : slice.planes) plane.offset += by;
+  for (SlicePlane& plane : slice.planes) plane.offset += by;
   for (ObstacleSlice::Polygon& polygon : slice.polygons) {
     polygon.box.low = polygon.box.low - Vec2{by, by};
     polygon.box.high = polygon.box.high + Vec2{by, by};
@@ -40,11 +38,20 @@ PieceSet near_pieces(const PieceSet& b, const Vec2 origin, const double reach) {
 
 }  // namespace
 
+FreePose measured(const PieceSet& body, const Pose& q0, const Pose& pose) {
+  const DistanceBounds bounds = generalized_distance_bounds(body, q0, pose);
+  // D_g's bound is the displacement's, with its error, times at most pi / 2.
+  const double error =
+      kDisplacementErrorUnits * kUnitRoundoff *
+      (norm(q0.t) + norm(pose.t) + body.radius * (1.0 + std::abs(q0.theta) + std::abs(pose.theta)));
+  return {pose, bounds.lower + error, bounds.upper * kRadiusPadding + 2.0 * error};
+}
+
 BracketSlices::BracketSlices(const PieceSet& a, const PieceSet& b, const Pose& q0,
                              const double reach)
     : a_(a), b_(b), q0_(q0) {
-  hull_ = convex_hull(a.polygons);
-  circle_ = smallest_enclosing_circle(hull_);
+  hull_ = a.hull;
+  circle_ = enclosing_circle_bounds(hull_);
   centre0_ = rotate(rotation_of(q0.theta), circle_.centre) + q0.t;
   for (Vec2& v : hull_) v = v - circle_.centre;
   moving_ = shifted_pieces(a, circle_.centre);
@@ -96,13 +103,9 @@ std::optional<FreePose> BracketSlices::nearest_free(const double delta, const do
         least_outside(slice_, objective_, cutoff, SliceUse::kValue);
     if (!least) return std::nullopt;
     const Pose pose = pose_at(delta, least->t);
-    if (interiors_meet(placed(a_, pose), b_)) continue;
-    const double error = kDisplacementErrorUnits * kUnitRoundoff *
-                         (norm(q0_.t) + norm(pose.t) +
-                          a_.radius * (1.0 + std::abs(q0_.theta) + std::abs(pose.theta)));
-    const double moved = displacement(a_, q0_, pose) + error;
-    if (moved >= cutoff) return std::nullopt;
-    return FreePose{pose, moved};
+    if (!interiors_are_disjoint(a_, b_, pose, scratch_)) continue;
+    const FreePose found = measured(a_, q0_, pose);
+    return found.displacement < cutoff ? std::optional(found) : std::nullopt;
   }
   return std::nullopt;
 }

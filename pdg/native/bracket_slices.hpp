@@ -8,6 +8,7 @@
 
 #include "enclosing_circle.hpp"
 #include "farthest_point.hpp"
+#include "generalized_depth.hpp"
 #include "piece_set.hpp"
 #include "slice_pieces.hpp"
 
@@ -16,7 +17,11 @@ namespace pdg {
 struct FreePose {
   Pose pose;
   double displacement = 0.0;  // DISP(q0, pose), rounded up
+  double distance = 0.0;      // an upper bound of D_g(q0, pose), rounded up
 };
+
+// A free pose with its distances from q0.
+FreePose measured(const PieceSet& body, const Pose& q0, const Pose& pose);
 
 class BracketSlices {
  public:
@@ -39,7 +44,10 @@ class BracketSlices {
   // (less than pi / 2) of delta. Rigorous: holds for the exact geometry of the doubles given.
   double lower_bound(double delta, double half, double cutoff);
 
+  // Of A's circle, rounded up.
   [[nodiscard]] double radius() const { return circle_.outer; }
+  // Rounding error of the last slice (length).
+  [[nodiscard]] double error() const { return slice_.error; }
   [[nodiscard]] std::uint64_t slices() const { return slices_; }
 
  private:
@@ -49,7 +57,7 @@ class BracketSlices {
   const PieceSet& a_;
   const PieceSet& b_;
   Pose q0_;
-  EnclosingCircle circle_;
+  CircleBounds circle_;
   Vec2 centre0_;                 // where q0 puts the circle's centre
   std::vector<Vec2> hull_;       // A's, from the circle's centre
   SlicePieces moving_, turned_;  // from the circle's centre
@@ -57,6 +65,7 @@ class BracketSlices {
   ObstacleSlice slice_;
   FarthestPoint objective_;
   double input_magnitude_ = 0.0;
+  DepthScratch scratch_;
   std::uint64_t slices_ = 0;
 };
 

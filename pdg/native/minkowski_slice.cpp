@@ -96,7 +96,7 @@ class Search {
     const ObstacleSlice::Polygon& polygon = slice_.polygons[static_cast<std::size_t>(edge.polygon)];
     for (std::uint32_t p = polygon.begin; p < polygon.end; ++p) {
       if (p == edge.plane) continue;
-      const HalfPlane& plane = slice_.planes[p];
+      const SlicePlane& plane = slice_.planes[p];
       const double rate = dot(plane.normal, line.along);
       const double rest = plane.offset + overlap_ - dot(plane.normal, line.foot);
       if (rate > 0.0) {
@@ -112,7 +112,7 @@ class Search {
     return std::any_of(slice_.polygons.begin(), slice_.polygons.end(), [&](const auto& polygon) {
       return in_box(polygon.box, t) &&
              std::all_of(slice_.planes.begin() + polygon.begin, slice_.planes.begin() + polygon.end,
-                         [&](const HalfPlane& plane) {
+                         [&](const SlicePlane& plane) {
                            return dot(plane.normal, t) < plane.offset - slack_;
                          });
     });
@@ -127,7 +127,7 @@ class Search {
                                const double s) const {
     Stretch covered;
     for (std::uint32_t p = polygon.begin; p < polygon.end; ++p) {
-      const HalfPlane& plane = slice_.planes[p];
+      const SlicePlane& plane = slice_.planes[p];
       const double rate = dot(plane.normal, line.along);
       const double whole = plane.offset - dot(plane.normal, line.foot);
       const double rest = whole - slack_;
@@ -166,7 +166,7 @@ class Search {
 
   // Most edges are covered from end to end, which is cheaper to see than where f is least.
   void search_edge(const Edge& edge) {
-    const HalfPlane& plane = slice_.planes[edge.plane];
+    const SlicePlane& plane = slice_.planes[edge.plane];
     const Line line{plane.offset * plane.normal, perp(plane.normal)};
     const Stretch on = extent(edge, line);
     if (!(on.low <= on.high)) return;

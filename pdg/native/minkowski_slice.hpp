@@ -29,7 +29,7 @@
 namespace pdg {
 
 // The open half-plane normal . t < offset; unit normal up to 8 u.
-struct HalfPlane {
+struct SlicePlane {
   Vec2 normal;
   double offset = 0.0;
 };
@@ -49,7 +49,7 @@ struct ObstacleSlice {
     std::int32_t piece_a = -1;
     std::int32_t piece_b = -1;
   };
-  std::vector<HalfPlane> planes;
+  std::vector<SlicePlane> planes;
   std::vector<Polygon> polygons;
   double error = 0.0;  // e above (length)
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "convex_hull.hpp"
+#include "generalized_depth.hpp"
 #include "minkowski_slice.hpp"
 #include "predicates.hpp"
 #include "slice_pieces.hpp"
@@ -67,8 +68,7 @@ Vec2 contact(const ConvexPolygon& a, const ConvexPolygon& b) {
 // The least translation out of the overlap.
 TranslationalDepth way_out(const std::vector<ConvexPolygon>& a, const PieceSet& b) {
   // Leaving the hull leaves the body: a bound of the depth.
-  const TranslationalDepth out_of_hulls =
-      translational_depth(convex_hull(a), convex_hull(b.polygons));
+  const TranslationalDepth out_of_hulls = translational_depth(convex_hull(a), b.hull);
   const Vec2 origin = a.front().front();
   const SlicePieces moving = shifted_pieces(a, origin);
   const SlicePieces fixed = shifted_pieces(b.polygons, origin);
@@ -96,37 +96,20 @@ TranslationalDepth way_out(const std::vector<ConvexPolygon>& a, const PieceSet& 
 
 }  // namespace
 
-bool interiors_meet(const std::vector<ConvexPolygon>& a, const PieceSet& b) {
-  std::vector<std::int32_t> near;
-  for (const ConvexPolygon& piece : a) {
-    near.clear();
-    find_meeting(b.tree, bounding_box(piece), near);
-    for (const std::int32_t j : near) {
-      const ConvexPolygon& other = b.polygons[static_cast<std::size_t>(j)];
-      if (pair_state(piece, other) == PairState::kOverlap) return true;
-    }
-  }
-  return false;
-}
-
-std::vector<ConvexPolygon> placed(const PieceSet& a, const Pose& pose) {
-  std::vector<ConvexPolygon> moved;
-  moved.reserve(a.polygons.size());
-  for (const ConvexPolygon& polygon : a.polygons) moved.push_back(placed(polygon, pose));
-  return moved;
-}
-
 TranslationalDepth translational_depth(const PieceSet& a, const PieceSet& b, const Pose& pose) {
   if (a.polygons.size() == 1 && b.polygons.size() == 1) {
     return translational_depth(placed(a.polygons[0], pose), b.polygons[0]);
   }
-  const std::vector<ConvexPolygon> moved = placed(a, pose);
-  for (const ConvexPolygon& polygon : moved) {
-    if (!std::all_of(polygon.begin(), polygon.end(), in_exact_range)) {
+  std::vector<ConvexPolygon> moved;
+  moved.reserve(a.polygons.size());
+  for (const ConvexPolygon& polygon : a.polygons) {
+    moved.push_back(placed(polygon, pose));
+    if (!std::all_of(moved.back().begin(), moved.back().end(), in_exact_range)) {
       throw std::invalid_argument("coordinate outside the range of exact arithmetic");
     }
   }
-  return interiors_meet(moved, b) ? way_out(moved, b) : nearest_pair(moved, b);
+  DepthScratch scratch;
+  return interiors_are_disjoint(a, b, pose, scratch) ? nearest_pair(moved, b) : way_out(moved, b);
 }
 
 }  // namespace pdg

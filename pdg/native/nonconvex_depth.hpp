@@ -1,10 +1,7 @@
 // Translational penetration depth PD^t of any two bodies ([PDG] Eq. 1), and their distance.
 #pragma once
 
-#include <vector>
-
 #include "piece_set.hpp"
-#include "polygon.hpp"
 #include "translational_depth.hpp"
 
 namespace pdg {
@@ -16,11 +13,5 @@ namespace pdg {
 // or not (minkowski_slice.hpp). Throws std::invalid_argument for coordinates outside the range of
 // predicates.hpp.
 TranslationalDepth translational_depth(const PieceSet& a, const PieceSet& b, const Pose& pose);
-
-// Whether the interiors of A, its pieces placed, and B meet; exact.
-bool interiors_meet(const std::vector<ConvexPolygon>& a, const PieceSet& b);
-
-// A's pieces at the pose, in doubles.
-std::vector<ConvexPolygon> placed(const PieceSet& a, const Pose& pose);
 
 }  // namespace pdg
