@@ -117,7 +117,7 @@ double BracketSlices::lower_bound(const double delta, const double half, const d
   const double drift = 2.0 * std::sin(0.5 * padded) * circle_.outer * kRadiusPadding;
   turn_to(delta);
   const Turn turn = turn_by(padded);
-  double above = cutoff + drift;
+  const double above = cutoff + drift;
   const double reach = objective_.reach(above);
   const Box disc{{-reach, -reach}, {reach, reach}};
   for (std::size_t i = 0; i < turned_.size(); ++i) {

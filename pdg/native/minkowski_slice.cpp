@@ -73,8 +73,9 @@ class Search {
     }
     by_size_.resize(areas.size());
     std::iota(by_size_.begin(), by_size_.end(), std::size_t{0});
-    std::stable_sort(by_size_.begin(), by_size_.end(),
-                     [&](const std::size_t a, const std::size_t b) { return areas[a] > areas[b]; });
+    std::sort(by_size_.begin(), by_size_.end(), [&](const std::size_t a, const std::size_t b) {
+      return areas[a] != areas[b] ? areas[a] > areas[b] : a < b;
+    });
   }
 
   void collect_edges() {
@@ -148,8 +149,8 @@ class Search {
     for (bool moved = true; moved;) {
       moved = false;
       const Vec2 t = point_at(line, s);
-      for (std::size_t k = 0; k < by_size_.size(); ++k) {
-        const ObstacleSlice::Polygon& polygon = slice_.polygons[by_size_[k]];
+      for (const std::size_t k : by_size_) {
+        const ObstacleSlice::Polygon& polygon = slice_.polygons[k];
         if (!in_box(polygon.box, t)) continue;
         const std::optional<Stretch> covered = cover(polygon, line, s);
         if (!covered) continue;
