@@ -1,6 +1,7 @@
 """Ours against OMPL's planners: ``python bench/ompl_compare.py [SCENE ...]``.
 
-All shipped scenes, and any scene files named. OMPL runs from its Python wheel, with our compiled
+All shipped scenes, and any files named: scenes or outside formats (docs/formats.md), with options
+for what those leave open. OMPL runs from its Python wheel, with our compiled
 state check called through Python, and natively (``ompl_native/``, where OMPL's development package
 is installed), each run in a process with a seed of its own, at two resolutions of motion
 validation, natively at a third, finer one where the second does not make a planner's paths sound.
@@ -50,8 +51,11 @@ from planar_planner.compare import (
 )
 from planar_planner.comparison import aligned
 from planar_planner.errors import OptionsError, SceneError
+from planar_planner.formats.parts import ImportOptions
+from planar_planner.import_arguments import add_importing, import_options
 from planar_planner.judge import Judge
 from planar_planner.samplers import INSTALL_HINT
+from planar_planner.scene import load_scene
 
 WHEEL_PLANNERS = ("RRTConnect", "PRM", "KPIECE1", "BITstar")
 RESOLUTIONS = (0.01, 0.002)
@@ -70,11 +74,13 @@ class Plan:
     runs: int
     limit: float
     seed: int
+    importing: ImportOptions
 
 
 def entries(scene: str, plan: Plan, driver: Path | None) -> Iterator[Entry]:
     """Run everything on a scene. Without a path, once is enough: a sampler ends at its limit."""
-    loaded, problem = check_scene(scene)
+    own = ImportOptions() if scene in manifest() else plan.importing
+    loaded, problem = check_scene(load_scene(scene, own))
     judge = Judge(problem)
     run_ours(problem, judge, plan.limit)  # once untimed
     ours = [run_ours(problem, judge, plan.limit) for _ in range(plan.runs)]
@@ -130,10 +136,13 @@ def parse(argv: Sequence[str] | None = None) -> tuple[Plan, bool]:
     parser.add_argument("--limit", type=float, default=10.0, help="seconds a run (default: 10)")
     parser.add_argument("--seed", type=int, default=0, help="run i has the seed SEED + i + 1")
     parser.add_argument("--quick", action="store_true", help="a short comparison, for CI")
+    add_importing(parser)
     given = parser.parse_args(argv)
+    importing = import_options(given)
     if given.quick:
         scenes = tuple(given.scenes) or QUICK_SCENES
-        return Plan(scenes, ("RRTConnect",), ("RRTConnect",), RESOLUTIONS[1:], 3, 1.0, 0), True
+        one = ("RRTConnect",)
+        return Plan(scenes, one, one, RESOLUTIONS[1:], 3, 1.0, 0, importing), True
     shipped = () if given.only else tuple(manifest())
     plan = Plan(
         (*shipped, *given.scenes),
@@ -143,6 +152,7 @@ def parse(argv: Sequence[str] | None = None) -> tuple[Plan, bool]:
         given.runs,
         given.limit,
         given.seed,
+        importing,
     )
     return plan, False
 
