@@ -49,7 +49,11 @@ class SeparatorSet:
     def sides(self, index: int) -> NDArray[np.float64]: ...
 
 def depth_upper_bounds(
-    a: PieceSet, b: PieceSet, separators: SeparatorSet | None, poses: NDArray[np.float64]
+    a: PieceSet,
+    b: PieceSet,
+    separators: SeparatorSet | None,
+    poses: NDArray[np.float64],
+    draw_back: bool,
 ) -> tuple[int, NDArray[np.float64], NDArray[np.int32]]: ...
 def displacements(
     body: PieceSet, q0: NDArray[np.float64], q1: NDArray[np.float64]

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 Pose = tuple[float, float, float]
-Method = Literal["hulls", "separators"]
+Method = Literal["hulls", "separators", "best"]
 Source = Literal["free", "hulls", "separator"]
 _SOURCES: tuple[Source, Source, Source] = ("free", "hulls", "separator")
 _HERE = (0.0, 0.0, 0.0)
@@ -58,11 +58,14 @@ class FreePlacement:
         was placed inside a convex container.
     separator : int or None
         That container's index in the `ConvexSeparators`.
+    drawn_back : bool
+        It lies on the way from the pose asked about to such a placement.
     """
 
     pose: Pose
     source: Source
     separator: int | None
+    drawn_back: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +104,7 @@ class DepthUpperBounds:
         Of the two placements, in this order.
     separator : ndarray of int, shape (n, 2)
         -1 where the source is not a separator.
+    drawn_back : ndarray of bool, shape (n, 2)
     placements : ndarray of int, shape (n,)
     """
 
@@ -110,6 +114,7 @@ class DepthUpperBounds:
     distanced_pose: NDArray[np.float64]
     source: NDArray[np.str_]
     separator: NDArray[np.int32]
+    drawn_back: NDArray[np.bool_]
     placements: NDArray[np.int32]
 
     def __len__(self) -> int:
@@ -131,7 +136,8 @@ class DepthUpperBounds:
         x, y, theta = (float(v) for v in poses[row])
         source: Source = _SOURCES[_SOURCES.index(self.source[row, metric])]
         index = int(self.separator[row, metric])
-        return FreePlacement((x, y, theta), source, index if index >= 0 else None)
+        drawn_back = bool(self.drawn_back[row, metric])
+        return FreePlacement((x, y, theta), source, index if index >= 0 else None, drawn_back)
 
 
 def convex_separators(B: Any) -> ConvexSeparators:
@@ -182,7 +188,9 @@ def generalized_depth_upper_bound(
     Containers that already ask for more than the bound so far are culled. In place of the paper's
     two levels of linear programmes with small turns, the least DISP at each angle is found exactly
     (an LP-type problem of dimension two), and angles by branch and bound, for each container to
-    one part in a thousand. UB1 is never above UB2.
+    one part in a thousand. UB1 is never above UB2. ``"best"`` goes on from there: it draws the free
+    placements of both back towards the pose until the bodies themselves, not their hulls, are about
+    to touch. It is never above UB1.
 
     Parameters
     ----------
@@ -193,7 +201,7 @@ def generalized_depth_upper_bound(
     pose : array_like of shape (3,) or (n, 3)
         Configuration (x, y, theta) of A, theta in radians. Many rows are done in one call, without
         the interpreter's lock.
-    method : {"separators", "hulls"}
+    method : {"separators", "hulls", "best"}
 
     Returns
     -------
@@ -212,14 +220,16 @@ def generalized_depth_upper_bound(
     if method == "hulls":
         pieces_b = B.pieces if isinstance(B, ConvexSeparators) else convex_pieces(B, name="B")
         separators = None
-    elif method == "separators":
+    elif method in ("separators", "best"):
         prepared = convex_separators(B)
         pieces_b, separators = prepared.pieces, prepared.core
     else:
-        raise PdgError("expected 'separators' or 'hulls'", "method", value=method)
+        raise PdgError("expected 'hulls', 'separators' or 'best'", "method", value=method)
     q = _gate.poses(pose, "pose")
     rows = np.atleast_2d(np.asarray(q))
-    bad, numbers, codes = _core.depth_upper_bounds(pieces_a.core, pieces_b.core, separators, rows)
+    bad, numbers, codes = _core.depth_upper_bounds(
+        pieces_a.core, pieces_b.core, separators, rows, method == "best"
+    )
     if bad >= 0:
         problem = "places the body outside the range of exact arithmetic"
         raise PdgError(problem, "pose", None if isinstance(q, tuple) else bad, rows[bad].tolist())
@@ -228,8 +238,9 @@ def generalized_depth_upper_bound(
         numbers[:, 1:4],
         numbers[:, 4],
         numbers[:, 5:8],
-        np.array(_SOURCES)[codes[:, [0, 2]]],
-        codes[:, [1, 3]],
-        codes[:, 4],
+        np.array(_SOURCES)[codes[:, [0, 3]]],
+        codes[:, [1, 4]],
+        codes[:, [2, 5]] != 0,
+        codes[:, 6],
     )
     return bounds[0] if isinstance(q, tuple) else bounds

@@ -13,6 +13,10 @@ namespace {
 // Doublings of the way beyond touching before a placement is given up.
 constexpr int kMostDoublings = 4;
 
+// Drawing back: even samples of the way, and halvings of the step before the first free one.
+constexpr int kSamplesBack = 16;
+constexpr int kHalvingsBack = 24;
+
 // Whether all of A's vertices, placed in doubles, are beyond the line along B's hull: for certain,
 // as the hull is beyond it by more than all rounding, that of vertices within it included.
 bool is_beyond(const PlacedBody& hull, const PieceSet& b, const Vec2 normal) {
@@ -107,6 +111,47 @@ DepthUpperBound separator_upper_bound(const PieceSet& a, const PieceSet& b,
       take(a, pose, {placement->pose, UpperBoundSource::kSeparator, static_cast<int>(k)}, bound);
       break;
     }
+  }
+  return bound;
+}
+
+namespace {
+
+Pose between(const Pose& from, const Pose& to, const double share) {
+  return {from.t + share * (to.t - from.t), from.theta + share * (to.theta - from.theta)};
+}
+
+void draw_back(const PieceSet& a, const PieceSet& b, const Pose& from, FreePlacement placement,
+               DepthUpperBound& bound, UpperBoundScratch& scratch) {
+  const Pose far = placement.pose;
+  const auto is_free = [&](const double share) {
+    return interiors_are_disjoint(a, b, between(from, far, share), scratch.depth);
+  };
+  int sample = 1;
+  while (sample < kSamplesBack && !is_free(sample / double{kSamplesBack})) ++sample;
+  double blocked = (sample - 1) / double{kSamplesBack};
+  double free = sample / double{kSamplesBack};
+  if (free == 1.0 && !is_free(1.0)) return;
+  for (int halving = 0; halving < kHalvingsBack; ++halving) {
+    const double middle = 0.5 * (blocked + free);
+    (is_free(middle) ? free : blocked) = middle;
+  }
+  placement.pose = between(from, far, free);
+  placement.drawn_back = true;
+  take(a, from, placement, bound);
+}
+
+}  // namespace
+
+DepthUpperBound drawn_back_upper_bound(const PieceSet& a, const PieceSet& b,
+                                       const std::vector<ConvexSeparator>& separators,
+                                       const Pose& pose, UpperBoundScratch& scratch) {
+  DepthUpperBound bound = separator_upper_bound(a, b, separators, pose, scratch);
+  if (bound.displacement == 0.0) return bound;
+  const FreePlacement inside = bound.displaced;
+  draw_back(a, b, pose, inside, bound, scratch);
+  if (inside.source != UpperBoundSource::kHulls) {
+    draw_back(a, b, pose, hull_upper_bound(a, b, pose, scratch).displaced, bound, scratch);
   }
   return bound;
 }

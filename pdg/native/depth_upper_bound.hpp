@@ -26,6 +26,7 @@ struct FreePlacement {
   Pose pose;
   UpperBoundSource source = UpperBoundSource::kFree;
   int separator = -1;  // its index, if the source is one
+  bool drawn_back = false;
 };
 
 struct DepthUpperBound {
@@ -56,5 +57,13 @@ DepthUpperBound hull_upper_bound(const PieceSet& a, const PieceSet& b, const Pos
 DepthUpperBound separator_upper_bound(const PieceSet& a, const PieceSet& b,
                                       const std::vector<ConvexSeparator>& separators,
                                       const Pose& pose, UpperBoundScratch& scratch);
+
+// UB1, whose placements free the convex hull of one body at least, and then more than that: along
+// the way from the configuration asked about to those of UB1 and of UB2, the first free one of an
+// even sample, and from there back by bisection until the bodies themselves are about to touch.
+// Never above UB1.
+DepthUpperBound drawn_back_upper_bound(const PieceSet& a, const PieceSet& b,
+                                       const std::vector<ConvexSeparator>& separators,
+                                       const Pose& pose, UpperBoundScratch& scratch);
 
 }  // namespace pdg

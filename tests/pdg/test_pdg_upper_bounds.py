@@ -38,9 +38,10 @@ def check(body: Any, obstacle: Any, pose: Pose, A: Any = None, B: Any = None) ->
     lower = pdg.generalized_depth_lower_bound(A, B.pieces, pose).depth
     first = pdg.generalized_depth_upper_bound(A, B, pose)
     second = pdg.generalized_depth_upper_bound(A, B, pose, method="hulls")
-    assert lower <= first.displacement <= second.displacement
-    assert first.distance <= second.distance
-    for bound in (first, second):
+    best = pdg.generalized_depth_upper_bound(A, B, pose, method="best")
+    assert lower <= best.displacement <= first.displacement <= second.displacement
+    assert best.distance <= first.distance <= second.distance
+    for bound in (best, first, second):
         assert bound.displacement <= bound.distance
         assert_free(body, obstacle, bound.displaced.pose)
         assert_free(body, obstacle, bound.distanced.pose)
@@ -270,12 +271,22 @@ def test_a_batch_is_its_rows() -> None:
     model = models()[3]
     A, B = pdg.convex_pieces(model.moving), pdg.convex_separators(model.fixed)
     poses = model.configurations(7)
-    for method in ("separators", "hulls"):
+    for method in ("separators", "hulls", "best"):
         many = pdg.generalized_depth_upper_bound(A, B, poses, method=method)
         assert len(many) == 7
         for row, one in zip(poses, many, strict=True):
             assert one == pdg.generalized_depth_upper_bound(A, B, tuple(row), method=method)
     assert len(pdg.generalized_depth_upper_bound(A, B, [])) == 0
+
+
+def test_drawing_back_is_of_use_where_hulls_say_little() -> None:
+    model = models()[2]  # a spoon outside a cup
+    poses = model.configurations(20)[:5]
+    A, B = pdg.convex_pieces(model.moving), pdg.convex_separators(model.fixed)
+    first = pdg.generalized_depth_upper_bound(A, B, poses)
+    best = pdg.generalized_depth_upper_bound(A, B, poses, method="best")
+    assert best.drawn_back.all()
+    assert (best.displacement < 0.95 * first.displacement).all()
 
 
 def test_polygons_of_one_body_may_overlap() -> None:
@@ -304,8 +315,8 @@ def test_far_from_the_origin() -> None:
 def test_bad_arguments_are_refused() -> None:
     square = shapely.box(-1, -1, 1, 1)
     with pytest.raises(pdg.PdgError, match="method: expected") as caught:
-        pdg.generalized_depth_upper_bound(square, square, method="best")  # type: ignore[call-overload]
-    assert (caught.value.name, caught.value.value) == ("method", "best")
+        pdg.generalized_depth_upper_bound(square, square, method="hull")  # type: ignore[call-overload]
+    assert (caught.value.name, caught.value.value) == ("method", "hull")
     with pytest.raises(pdg.PdgError, match=r"pose\[1\]: must be finite"):
         pdg.generalized_depth_upper_bound(square, square, (0, math.inf, 0))
     with pytest.raises(pdg.PdgError, match="pose"):
