@@ -59,10 +59,11 @@ def show(costs: Sequence[Cost], found: Sequence[Sample]) -> None:
     print("\nmedians over the configurations that collide, in units of UB2:")
     for row in costs:
         own = [s for s in found if s.model == row.model and s.lb > 0]
-        shares = {
-            name: statistics.median(getattr(s, name) / s.ub2 for s in own) for name in ("lb", "ub1")
-        }
-        print(f"{row.model:24} LB {shares['lb']:.3f}  UB1 {shares['ub1']:.3f}  of {len(own)}")
+        shares = ", ".join(
+            f"{label} {statistics.median(getattr(s, name) / s.ub2 for s in own):.3f}"
+            for label, name in (("LB", "lb"), ("best", "best"), ("UB1", "ub1"))
+        )
+        print(f"{row.model:24} {shares}  of {len(own)} configurations")
 
 
 def spread(median: float, lower: float, upper: float) -> str:

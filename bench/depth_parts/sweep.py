@@ -26,8 +26,8 @@ class Sample(NamedTuple):
         Where on the motion, from 0 to 1.
     x, y, theta : float
         The configuration.
-    lb, ub1, ub2 : float
-        Lower bound by pieces; upper bounds by separators and by hulls.
+    lb, best, ub1, ub2 : float
+        Lower bound by pieces; upper bounds: UB1 drawn back, by separators, by hulls.
     source : str
         What UB1 comes from.
     free_x, free_y, free_theta : float
@@ -40,6 +40,7 @@ class Sample(NamedTuple):
     y: float
     theta: float
     lb: float
+    best: float
     ub1: float
     ub2: float
     source: str
@@ -88,6 +89,7 @@ def samples(prepared: Prepared, count: int) -> Iterator[Sample]:
     poses = prepared.model.configurations(count)
     lower = pdg.generalized_depth_lower_bound(A, B.pieces, poses)
     first = pdg.generalized_depth_upper_bound(A, B, poses)
+    best = pdg.generalized_depth_upper_bound(A, B, poses, method="best")
     second = pdg.generalized_depth_upper_bound(A, B, poses, method="hulls")
     for k, pose in enumerate(poses.tolist()):
         yield Sample(
@@ -95,6 +97,7 @@ def samples(prepared: Prepared, count: int) -> Iterator[Sample]:
             k / (count - 1),
             *pose,
             float(lower.depth[k]),
+            float(best.displacement[k]),
             float(first.displacement[k]),
             float(second.displacement[k]),
             str(first.source[k, 0]),
@@ -126,7 +129,7 @@ def cost(prepared: Prepared, count: int) -> Cost:
 
 def broken(sample: Sample) -> str:
     """Return which promise does not hold at a sample, or an empty string."""
-    for low, high in (("lb", "ub1"), ("ub1", "ub2")):
+    for low, high in (("lb", "best"), ("best", "ub1"), ("ub1", "ub2")):
         if not getattr(sample, low) <= getattr(sample, high):
             return f"{low} > {high}"
     return ""

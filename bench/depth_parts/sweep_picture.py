@@ -50,6 +50,7 @@ def draw_bounds(axes: Axes, samples: Sequence[Sample]) -> None:
     t = [sample.t for sample in samples]
     axes.plot(t, [s.ub2 for s in samples], "--", color=COLOURS[1], label="UB2, hulls")
     axes.plot(t, [s.ub1 for s in samples], "-", color=COLOURS[0], label="UB1, separators")
+    axes.plot(t, [s.best for s in samples], ":", color=COLOURS[3], label="best, drawn back")
     axes.plot(t, [s.lb for s in samples], "-.", color=COLOURS[2], label="LB, pieces")
     axes.set(xlabel="t", xlim=(0.0, 1.0))
     axes.set_ylim(bottom=0.0)
