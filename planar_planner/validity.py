@@ -55,7 +55,8 @@ def clean_polygons(raw: RawPolygons, judge: Judge) -> RawPolygons:
 def _without_repeats(raw: RawPolygons) -> RawPolygons:
     """Drop each vertex that equals its cyclic successor in the ring."""
     successor = _successors(raw.ring_starts)
-    kept = np.any(raw.coords != raw.coords[successor], axis=1)
+    differs = raw.coords != raw.coords[successor]
+    kept = differs[:, 0] | differs[:, 1]  # np.any along so short an axis takes ten times as long
     before = np.concatenate(([0], np.cumsum(kept)))  # kept vertices before each vertex
     return RawPolygons(
         np.ascontiguousarray(raw.coords[kept]),

@@ -9,6 +9,7 @@
 
 #include "constraint.hpp"
 #include "decompose.hpp"
+#include "ring_sweep.hpp"
 #include "triangulate_points.hpp"
 
 namespace pdg {
@@ -156,10 +157,63 @@ std::optional<Defect> find_parts(const PointMesh& mesh, const std::vector<Index>
   return std::nullopt;
 }
 
+// The interior for RingSweep: where each ring begins, the shell must be around it and no hole.
+class Nesting {
+ public:
+  Nesting(const SweepVertices& vertices, const std::size_t rings)
+      : vertices_(vertices), begun_(rings, false), odd_(rings) {}
+
+  void watch(const RingSweep<Nesting>& sweep) { sweep_ = &sweep; }
+
+  Index open(const Index v) {
+    begin(v, 0, false);
+    return 0;
+  }
+  Index split(const Index v, Index, const std::size_t place) {
+    begin(v, place, true);
+    return 0;
+  }
+  void lower(Index, Index) {}
+  void upper(Index, Index) {}
+  bool close(Index, Index) { return right_; }
+  void merge(Index, Index, Index) {}
+
+ private:
+  // By the even-odd rule the interior begins outside of all rings or within two; a hole begins
+  // inside, below it an odd number of the shell's edges and an even number of every other ring's.
+  void begin(const Index v, const std::size_t place, const bool inside) {
+    const Index ring = vertices_.rings[at(v)];
+    if (begun_[at(ring)]) return;
+    begun_[at(ring)] = true;
+    if (inside == (ring == 0)) right_ = false;
+    if (!inside || !right_) return;
+    odd_.assign(odd_.size(), false);
+    for (std::size_t i = 0; i < place; ++i)
+      odd_[at(vertices_.rings[at(sweep_->active()[i].left)])].flip();
+    right_ = odd_[0] && std::count(odd_.begin(), odd_.end(), true) == 1;
+  }
+
+  const SweepVertices& vertices_;
+  const RingSweep<Nesting>* sweep_ = nullptr;
+  std::vector<bool> begun_, odd_;  // by ring
+  bool right_ = true;
+};
+
+// Whether it is valid and nothing touches. False proves nothing.
+bool plainly_valid(const Polygon& polygon) {
+  const SweepVertices vertices = sort_vertices(polygon);
+  if (vertices.points.empty()) return false;
+  Nesting nesting(vertices, polygon.rings.size());
+  RingSweep sweep(vertices, nesting);
+  nesting.watch(sweep);
+  return sweep.run();
+}
+
 }  // namespace
 
 std::optional<Defect> find_defect(const Polygon& polygon) {
   if (polygon.rings.size() == 1 && !as_convex(polygon.rings.front()).empty()) return std::nullopt;
+  if (plainly_valid(polygon)) return std::nullopt;
   PointMesh mesh = triangulate_points(distinct_points(polygon));
   if (mesh.triangle_count() == 0) return Defect{"interior is empty", mesh.points.front()};
   const std::vector<Incidence> vertices = incidences(polygon, mesh);
