@@ -28,7 +28,13 @@ class PieceSet:
 
 def translational_depth(a: PieceSet, b: PieceSet, pose: _Triple) -> _Depth: ...
 def bracket_depth(
-    a: PieceSet, b: PieceSet, pose: _Triple, rel_tol: float, seconds: float, nodes: int
+    a: PieceSet,
+    b: PieceSet,
+    separators: SeparatorSet | None,
+    pose: _Triple,
+    rel_tol: float,
+    seconds: float,
+    nodes: int,
 ) -> tuple[float, tuple[float, _Triple], tuple[float, _Triple], int, int, int]: ...
 def generalized_depth_lower_bound(
     a: PieceSet, b: PieceSet, pose: _Triple

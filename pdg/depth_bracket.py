@@ -9,6 +9,7 @@ from typing import Any, Literal
 from pdg import _core, _gate
 from pdg.errors import PdgError
 from pdg.pieces import convex_pieces
+from pdg.upper_bounds import ConvexSeparators
 
 Pose = tuple[float, float, float]
 StopReason = Literal["tolerance", "time", "nodes", "rounding"]
@@ -70,6 +71,8 @@ def bracket(
     ----------
     A, B : body
         As in `convex_pieces`: any polygons. Pass `ConvexPieces` to decompose once for many queries.
+        B may be `ConvexSeparators`: the search then begins with the free poses of
+        `generalized_depth_upper_bound`, so that `hi` is no more than that bound.
     pose : array_like of shape (3,)
         Configuration (x, y, theta) of A, theta in radians.
     rel_tol : float
@@ -90,13 +93,17 @@ def bracket(
         or not numbers.
     """
     pieces_a = convex_pieces(A, name="A")
-    pieces_b = convex_pieces(B, name="B")
+    prepared = isinstance(B, ConvexSeparators)
+    pieces_b = B.pieces if prepared else convex_pieces(B, name="B")
+    separators = B.core if prepared else None
     q = _gate.triple(pose, "pose")
     tolerance = _gate.length(rel_tol, "rel_tol")
     seconds = math.inf if time_limit is None else _gate.length(time_limit, "time_limit")
     nodes = _MOST_NODES if node_limit is None else _whole(node_limit, "node_limit")
     try:
-        found = _core.bracket_depth(pieces_a.core, pieces_b.core, q, tolerance, seconds, nodes)
+        found = _core.bracket_depth(
+            pieces_a.core, pieces_b.core, separators, q, tolerance, seconds, nodes
+        )
     except ValueError as error:
         raise PdgError(str(error), "pose", value=q) from error
     lo, (hi, free), (distance_hi, distance_free), judged, slices, end = found

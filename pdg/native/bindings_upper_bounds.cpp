@@ -13,6 +13,7 @@
 
 #include "bindings_arrays.hpp"
 #include "bindings_rows.hpp"
+#include "bindings_separators.hpp"
 #include "bindings_subjects.hpp"
 #include "convex_separators.hpp"
 #include "depth_upper_bound.hpp"
@@ -26,10 +27,6 @@ namespace {
 using SideRows = nb::ndarray<nb::numpy, double, nb::shape<-1, 3>>;
 using BoundRows = nb::ndarray<nb::numpy, double, nb::shape<-1, 8>>;
 using BoundCodes = nb::ndarray<nb::numpy, std::int32_t, nb::shape<-1, 7>>;
-
-struct SeparatorSet {
-  std::vector<pdg::ConvexSeparator> separators;
-};
 
 std::array<double, 8> numbers_of(const pdg::DepthUpperBound& bound) {
   const pdg::Pose& p = bound.displaced.pose;

@@ -30,19 +30,19 @@ struct LaterFirst {
 // To begin with the turns in question are cut into so many ranges.
 constexpr int kFirstRanges = 8;
 
-// The way out of the hulls' overlap.
-FreePose out_of_hulls(const PieceSet& a, const PieceSet& b, const Pose& q0) {
+DepthUpperBound first_bound(const PieceSet& a, const PieceSet& b, const Pose& q0,
+                            const std::vector<ConvexSeparator>& separators) {
   UpperBoundScratch scratch;
-  const Pose pose = hull_upper_bound(a, b, q0, scratch).displaced.pose;
-  return measured(a, q0, pose);
+  return drawn_back_upper_bound(a, b, separators, q0, scratch);
 }
 
 class BranchAndBound {
  public:
-  BranchAndBound(const PieceSet& a, const PieceSet& b, const Pose& q0, const BracketLimits& limits)
+  BranchAndBound(const PieceSet& a, const PieceSet& b, const Pose& q0, const BracketLimits& limits,
+                 const DepthUpperBound& known)
       : limits_(limits),
-        best_(out_of_hulls(a, b, q0)),
-        nearest_(best_),
+        best_(measured(a, q0, known.displaced.pose)),
+        nearest_(measured(a, q0, known.distanced.pose)),
         slices_(a, b, q0, best_.displacement) {
     // PD^t of pieces bounds PD^g from below under DISP ([PDG] section 6.1).
     const double error =
@@ -146,14 +146,14 @@ class BranchAndBound {
 }  // namespace
 
 Bracket bracket_depth(const PieceSet& a, const PieceSet& b, const Pose& q0,
-                      const BracketLimits& limits) {
+                      const BracketLimits& limits, const std::vector<ConvexSeparator>& separators) {
   DepthScratch scratch;
   if (interiors_are_disjoint(a, b, q0, scratch)) {
     Bracket apart;
     apart.displaced.pose = apart.distanced.pose = q0;
     return apart;
   }
-  return BranchAndBound(a, b, q0, limits).run();
+  return BranchAndBound(a, b, q0, limits, first_bound(a, b, q0, separators)).run();
 }
 
 }  // namespace pdg

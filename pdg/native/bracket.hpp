@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "bracket_slices.hpp"
+#include "convex_separators.hpp"
 #include "piece_set.hpp"
 
 namespace pdg {
@@ -36,8 +38,10 @@ struct BracketLimits {
   std::function<bool()> stop;  // asked between nodes; true ends the search
 };
 
-// All bounds are 0 and the poses q0 when the interiors do not meet at q0.
+// All bounds are 0 and the poses q0 when the interiors do not meet at q0. The search begins with
+// the free poses of drawn_back_upper_bound, with B's separators if they are given.
 Bracket bracket_depth(const PieceSet& a, const PieceSet& b, const Pose& q0,
-                      const BracketLimits& limits);
+                      const BracketLimits& limits,
+                      const std::vector<ConvexSeparator>& separators = {});
 
 }  // namespace pdg
