@@ -9,7 +9,14 @@ from pdg.depth import generalized_depth_lower_bound, translational_depth
 from pdg.depth_bracket import DepthBracket, bracket
 from pdg.distance import PenetrationDistance, penetration_distance
 from pdg.errors import PdgError
-from pdg.motion import MotionBounds, displacement, generalized_distance_bounds, motion_bounds
+from pdg.motion import (
+    DistanceBracket,
+    DistanceBrackets,
+    MotionBounds,
+    displacement,
+    generalized_distance_bounds,
+    motion_bounds,
+)
 from pdg.pieces import ConvexPieces, convex_pieces
 from pdg.query import CObstacleVerdict, CObstacleVerdicts, c_obstacle_query
 from pdg.results import (
@@ -37,6 +44,8 @@ __all__ = [
     "DepthLowerBounds",
     "DepthUpperBound",
     "DepthUpperBounds",
+    "DistanceBracket",
+    "DistanceBrackets",
     "FreePlacement",
     "MotionBounds",
     "PdgError",

@@ -22,8 +22,8 @@ EXACT = 20  # configurations for each turn that are compared with 50 places
 def rows(seed: int, count: int) -> Iterator[Row]:
     """Yield DISP's error, and the width of the bounds of D_g, for growing turns.
 
-    The upper bound may exceed the lower one by (turn / 2) / sin(turn / 2) at most: turning about
-    the pole of the motion does that (no closed form of D_g is known).
+    The upper bound may exceed the lower one by a factor of sqrt(2 - (2 sin(turn / 2) / turn)^2) at
+    most (docs/pdg.md; no closed form of D_g is known).
     """
     random = np.random.default_rng(seed)
     body = oval(random, 12)
@@ -48,8 +48,8 @@ def rows(seed: int, count: int) -> Iterator[Row]:
             f"off by up to {max(units):.1f} roundings",
         )
         bounds = [pdg.generalized_distance_bounds(pieces, q0, q1) for q0, q1 in ends]
-        widths = [upper / lower - 1 for lower, upper in bounds]
-        most = 0.5 * turn / math.sin(0.5 * turn) - 1 if turn else 0.0
+        widths = [bracket.upper / bracket.lower - 1 for bracket in bounds]
+        most = math.sqrt(2 - (2 * math.sin(0.5 * turn) / turn) ** 2) - 1 if turn else 0.0
         yield Row(
             "D_g",
             f"turn {turn:g}",

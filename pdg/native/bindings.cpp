@@ -20,7 +20,6 @@
 #include "bindings_arrays.hpp"
 #include "bindings_subjects.hpp"
 #include "decompose.hpp"
-#include "displacement.hpp"
 #include "motion_bound.hpp"
 #include "piece_set.hpp"
 #include "predicates.hpp"
@@ -75,13 +74,6 @@ void bind_piece_set(const nb::module_& m) {
 }
 
 void bind_motions(nb::module_& m) {
-  m.def(
-      "generalized_distance_bounds",
-      [](const pdg::PieceSet& body, const Triple& from, const Triple& to) {
-        const auto bounds = pdg::generalized_distance_bounds(body, to_pose(from), to_pose(to));
-        return Pair{bounds.lower, bounds.upper};
-      },
-      "body"_a, "q0"_a, "q1"_a);
   m.def(
       "motion_bounds",
       [](const Triple& half, const double radius) {

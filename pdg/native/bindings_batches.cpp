@@ -28,6 +28,7 @@ namespace {
 using Cells = nb::ndarray<const double, nb::shape<-1, 6>, nb::c_contig, nb::device::cpu>;
 using States = nb::ndarray<nb::numpy, std::uint8_t, nb::shape<-1>>;
 using Lengths = nb::ndarray<nb::numpy, double, nb::shape<-1>>;
+using BoundRows = nb::ndarray<nb::numpy, double, nb::shape<-1, 4>>;
 using DepthRows = nb::ndarray<nb::numpy, double, nb::shape<-1, 7>>;
 using IndexPairs = nb::ndarray<nb::numpy, std::int32_t, nb::shape<-1, 2>>;
 
@@ -61,8 +62,13 @@ IndexPairs to_pairs(std::vector<std::int32_t>&& pairs) {
 
 auto translational_depths(const pdg::PieceSet& a, const pdg::PieceSet& b, const Poses& poses) {
   DepthColumns columns(poses.shape(0));
+  const bool convex = a.polygons.size() == 1 && b.polygons.size() == 1;
+  const pdg::Outline fixed = convex ? pdg::make_outline(b.polygons[0]) : pdg::Outline{};
+  pdg::Outline moved;
   const std::int64_t bad = for_each_row(poses.shape(0), [&](const std::size_t row) {
-    columns.set(row, pdg::translational_depth(a, b, pose_of(poses, row)));
+    const pdg::Pose pose = pose_of(poses, row);
+    columns.set(row, convex ? pdg::translational_depth(a.polygons[0], pose, fixed, moved)
+                            : pdg::translational_depth(a, b, pose));
   });
   return std::tuple{bad, columns.take_states(), columns.take_rows()};
 }
@@ -112,12 +118,28 @@ auto displacements(const pdg::PieceSet& body, const Poses& from, const Poses& to
   return to_array<double, Lengths>(std::move(lengths), {count});
 }
 
+// (lower, upper, centre) of each row.
+auto generalized_distance_bounds(const pdg::PieceSet& body, const Poses& from, const Poses& to) {
+  if (from.shape(0) != to.shape(0)) throw nb::value_error("q0 and q1 differ in length");
+  const std::size_t count = from.shape(0);
+  std::vector<double> rows(4 * count);
+  for_each_row(count, [&](const std::size_t row) {
+    const pdg::DistanceBounds bounds =
+        pdg::generalized_distance_bounds(body, pose_of(from, row), pose_of(to, row));
+    const std::array<double, 4> values{bounds.lower, bounds.upper, bounds.centre.x,
+                                       bounds.centre.y};
+    std::copy(values.begin(), values.end(), rows.begin() + static_cast<std::ptrdiff_t>(4 * row));
+  });
+  return to_array<double, BoundRows>(std::move(rows), {count, 4});
+}
+
 }  // namespace
 
 void bind_batches(nb::module_& m) {
   m.def("translational_depths", &translational_depths, "a"_a, "b"_a, "poses"_a);
   m.def("generalized_depth_lower_bounds", &generalized_depth_lower_bounds, "a"_a, "b"_a, "poses"_a);
   m.def("c_obstacle_queries", &c_obstacle_queries, "a"_a, "b"_a, "cells"_a, "method"_a);
+  m.def("generalized_distance_bounds", &generalized_distance_bounds, "body"_a, "q0"_a, "q1"_a);
   m.def("displacements", &displacements, "body"_a, "q0"_a, "q1"_a);
 }
 

@@ -17,6 +17,10 @@ struct Box {
 Box bounding_box(const std::vector<Vec2>& points);
 Box joined(const Box& a, const Box& b);
 
+constexpr Vec2 centre(const Box& box) {
+  return {0.5 * box.low.x + 0.5 * box.high.x, 0.5 * box.low.y + 0.5 * box.high.y};
+}
+
 constexpr bool boxes_meet(const Box& a, const Box& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }

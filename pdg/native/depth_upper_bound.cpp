@@ -63,9 +63,10 @@ namespace {
 // Takes a free placement's distances over where they are the least yet.
 void take(const PieceSet& a, const Pose& from, const FreePlacement& placement,
           DepthUpperBound& bound) {
+  const double displaced = displacement(a, from, placement.pose);
   const DistanceBounds moved = generalized_distance_bounds(a, from, placement.pose);
-  if (moved.lower < bound.displacement) {
-    bound.displacement = moved.lower;
+  if (displaced < bound.displacement) {
+    bound.displacement = displaced;
     bound.displaced = placement;
   }
   if (moved.upper < bound.distance) {

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
+
+#include "tolerances.hpp"
+#include "weighted_circle.hpp"
 
 namespace pdg {
 namespace {
@@ -27,16 +31,56 @@ double moved(const RelativeMotion& motion, const Vec2 v) {
   return std::hypot(d.x, d.y);
 }
 
-double largest_distance(const PieceSet& body, const Vec2 c) {
-  double r = 0.0;
-  for (const Vec2 v : body.hull) r = std::max(r, std::hypot(v.x - c.x, v.y - c.y));
-  return r;
-}
-
 double displacement(const PieceSet& body, const RelativeMotion& motion) {
   double most = 0.0;
   for (const Vec2 v : body.hull) most = std::max(most, moved(motion, v));
   return most;
+}
+
+// The errors of one displacement (length) and of the angle (radians), from above.
+struct Errors {
+  double moved = 0.0;
+  double angle = 0.0;
+};
+
+Errors errors_of(const PieceSet& body, const Pose& from, const Pose& to) {
+  const double angles = 1.0 + std::abs(from.theta) + std::abs(to.theta);
+  const double lengths = norm(from.t) + norm(to.t) + body.radius * angles;
+  return {kDisplacementErrorUnits * kUnitRoundoff * lengths,
+          kTurnErrorUnits * kUnitRoundoff * angles};
+}
+
+// w^2 - k^2 from above; it grows with w.
+double excess_from_above(const double angle) {
+  const double chord = 2.0 * std::sin(0.5 * angle) / kRadiusPadding;
+  return (angle - chord) * (angle + chord) * kRadiusPadding;
+}
+
+// The points that an upper bound's centre is to be near: displacement squared over the excess.
+std::vector<WeightedPoint> weighted_vertices(const PieceSet& body, const RelativeMotion& motion,
+                                             const double excess) {
+  std::vector<WeightedPoint> points;
+  for (const ConvexPolygon& polygon : body.polygons) {
+    for (const Vec2 v : polygon) {
+      const double m = excess > 0.0 ? moved(motion, v) : 0.0;
+      points.push_back({v, excess > 0.0 ? m * m / excess : 0.0});
+    }
+  }
+  return points;
+}
+
+// Longest trajectory, from above, when c moves straight while the body turns evenly.
+double longest_trajectory(const PieceSet& body, const RelativeMotion& motion, const double excess,
+                          const double error, const Vec2 c) {
+  double most = 0.0;
+  for (const ConvexPolygon& polygon : body.polygons) {
+    for (const Vec2 v : polygon) {
+      const double m = moved(motion, v) + error;
+      const Vec2 d = v - c;
+      most = std::max(most, m * m + excess * dot(d, d));
+    }
+  }
+  return std::sqrt(most) * kRadiusPadding;
 }
 
 }  // namespace
@@ -47,17 +91,19 @@ double displacement(const PieceSet& body, const Pose& from, const Pose& to) {
 
 DistanceBounds generalized_distance_bounds(const PieceSet& body, const Pose& from, const Pose& to) {
   const RelativeMotion motion = relative_motion(from, to);
-  const double lower = displacement(body, motion);
-  if (motion.angle == 0.0) return {lower, lower};
-  const auto straight_while_turning = [&](const Vec2 c) {
-    return moved(motion, c) + largest_distance(body, c) * motion.angle;
-  };
-  double upper = lower * (0.5 * motion.angle) / std::sin(0.5 * motion.angle);
-  upper = std::min(upper, straight_while_turning({0.0, 0.0}));
-  for (const ConvexPolygon& polygon : body.polygons) {
-    for (const Vec2 v : polygon) upper = std::min(upper, straight_while_turning(v));
-  }
-  return {lower, std::max(lower, upper)};
+  const Errors error = errors_of(body, from, to);
+  const double far = displacement(body, motion);
+  const WeightedCentre middle = weighted_centre(weighted_vertices(body, motion, 0.0));
+  const double radius = radius_from_below(middle);
+  const double excess = excess_from_above(motion.angle + error.angle);
+  // An excess that would not show beside the displacement leaves nothing to choose.
+  const bool turns = excess * radius * radius > kUnitRoundoff * far * far;
+  DistanceBounds bounds;
+  bounds.centre = turns ? weighted_centre(weighted_vertices(body, motion, excess)).c : middle.c;
+  bounds.lower = std::max({0.0, (far - error.moved) / kRadiusPadding,
+                           (motion.angle - error.angle) * radius / kRadiusPadding});
+  bounds.upper = longest_trajectory(body, motion, excess, error.moved, bounds.centre);
+  return bounds;
 }
 
 }  // namespace pdg

@@ -12,6 +12,7 @@
 #include "convex_hull.hpp"
 #include "generalized_depth.hpp"
 #include "minkowski_slice.hpp"
+#include "polygon_distance.hpp"
 #include "predicates.hpp"
 #include "slice_pieces.hpp"
 #include "tolerances.hpp"
@@ -40,11 +41,6 @@ TranslationalDepth nearest_pair(const std::vector<ConvexPolygon>& a, const Piece
     }
   }
   return nearest;
-}
-
-Vec2 closest_on_segment(const Vec2 p, const Vec2 u, const Vec2 v) {
-  const Vec2 along = v - u;
-  return u + std::clamp(dot(p - u, along) / dot(along, along), 0.0, 1.0) * along;
 }
 
 // Where two polygons touch: a vertex of one lies on an edge of the other, up to rounding.
@@ -98,7 +94,8 @@ TranslationalDepth way_out(const std::vector<ConvexPolygon>& a, const PieceSet& 
 
 TranslationalDepth translational_depth(const PieceSet& a, const PieceSet& b, const Pose& pose) {
   if (a.polygons.size() == 1 && b.polygons.size() == 1) {
-    return translational_depth(placed(a.polygons[0], pose), b.polygons[0]);
+    Outline moved;
+    return translational_depth(a.polygons[0], pose, make_outline(b.polygons[0]), moved);
   }
   std::vector<ConvexPolygon> moved;
   moved.reserve(a.polygons.size());

@@ -60,17 +60,59 @@ struct Expansion {
     }
   }
 
+  // From the smallest on: the sum's relative error is below 2 u.
+  double value() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < size; ++i) sum += terms[i];
+    return sum;
+  }
+
   // The largest component decides the sign.
   int sign() const { return size == 0 ? 0 : (terms[size - 1] > 0.0 ? 1 : -1); }
 };
 
-}  // namespace
-
-int orient2d_exact(const Vec2 a, const Vec2 b, const Vec2 c) {
+Expansion determinant(const Vec2 a, const Vec2 b, const Vec2 c) {
   Expansion det;
   det.add_product(two_sum(a.x, -c.x), two_sum(b.y, -c.y), 1.0);
   det.add_product(two_sum(a.y, -c.y), two_sum(b.x, -c.x), -1.0);
-  return det.sign();
+  return det;
+}
+
+}  // namespace
+
+int orient2d_exact(const Vec2 a, const Vec2 b, const Vec2 c) {
+  return determinant(a, b, c).sign();
+}
+
+namespace {
+
+// Below this the products' rounding is no longer relative to them.
+constexpr double kSmallestProducts = 0x1p-960;
+constexpr double kAcceptedShare = 1.0 / 3.0;
+
+// left +- right is taken as it is where it does not cancel.
+bool good_enough(const double value, const double left, const double right) {
+  const double size = std::abs(left) + std::abs(right);
+  return std::abs(value) >= kAcceptedShare * size && size >= kSmallestProducts;
+}
+
+}  // namespace
+
+double signed_area(const Vec2 a, const Vec2 b, const Vec2 c) {
+  const double left = (a.x - c.x) * (b.y - c.y);
+  const double right = (a.y - c.y) * (b.x - c.x);
+  if (good_enough(left - right, left, right)) return left - right;
+  return determinant(a, b, c).value();
+}
+
+double dot_from(const Vec2 a, const Vec2 b, const Vec2 c) {
+  const double left = (b.x - a.x) * (c.x - a.x);
+  const double right = (b.y - a.y) * (c.y - a.y);
+  if (good_enough(left + right, left, right)) return left + right;
+  Expansion sum;
+  sum.add_product(two_sum(b.x, -a.x), two_sum(c.x, -a.x), 1.0);
+  sum.add_product(two_sum(b.y, -a.y), two_sum(c.y, -a.y), 1.0);
+  return sum.value();
 }
 
 bool turns_left_or_straight(const Vec2 p, const Vec2 u, const Vec2 q) {

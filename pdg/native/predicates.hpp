@@ -37,6 +37,16 @@ inline int orient2d(const Vec2 a, const Vec2 b, const Vec2 c) {
   return orient2d_exact(a, b, c);
 }
 
+// Twice the signed area of the triangle (a, b, c), with a relative error of at most
+// kValueErrorUnits u: small values are as good as large ones, and 0 is exactly 0.
+double signed_area(Vec2 a, Vec2 b, Vec2 c);
+
+// (b - a) . (c - a), likewise.
+double dot_from(Vec2 a, Vec2 b, Vec2 c);
+
+// Three roundings of each product, of which the accepted difference is at least a third; its own.
+inline constexpr double kValueErrorUnits = 10.0;
+
 // Lexicographic order by (x, y); exact.
 constexpr bool lexicographically_less(const Vec2 a, const Vec2 b) {
   return a.x < b.x || (a.x == b.x && a.y < b.y);

@@ -83,9 +83,22 @@ inline constexpr double kStretchUnits = 8.0 * PDG_MARGIN_SCALE;
 // translation 15 (normal 4, foot on the line 4, product 3, step along the line 4), sums 3.
 inline constexpr double kSliceErrorUnits = 32.0 * PDG_MARGIN_SCALE;
 
-// Errors of plain results, for whoever compares them; no verdict leans on these. PD^t of two
-// polygons: in units of u times the diameter of both together. The displacement of a body: in units
-// of u (|t0| + |t1| + r (1 + |theta0| + |theta1|)), r the body's largest radius.
+// A separating-axis function of two polygons as placed, in units of u times the diameter of both
+// together: normal 4, difference 1, product 2.
+inline constexpr double kAxisErrorUnits = 8.0;
+// The distance of a vertex from an edge, likewise: foot 11, difference 1, length 2.
+inline constexpr double kGapErrorUnits = 16.0;
+
+// Angle between two poses modulo full turns, in units of u (1 + |theta0| + |theta1|): difference 1,
+// the full turns' own rounding 0.4.
+inline constexpr double kTurnErrorUnits = 4.0;
+
+// Errors of results, for whoever compares them; no verdict leans on these. PD^t of two polygons as
+// placed, in units of u relative to it: area 10, length of the edge 3, quotient 1; the distance of
+// disjoint polygons likewise. PD^t of pieces as given, in units of u times the diameter of both
+// together (placing: 8). The displacement of a body: in units of u (|t0| + |t1| + r (1 + |theta0| +
+// |theta1|)), r the body's largest radius.
+inline constexpr double kRelativeDepthErrorUnits = 16.0;
 inline constexpr double kDepthErrorUnits = 12.0;
 inline constexpr double kDisplacementErrorUnits = 16.0;
 

@@ -5,28 +5,16 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
+#include "polygon_distance.hpp"
 #include "predicates.hpp"
+#include "tolerances.hpp"
 
 namespace pdg {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Vec2 next_vertex(const ConvexPolygon& polygon, const std::size_t k) {
-  return polygon[k + 1 == polygon.size() ? 0 : k + 1];
-}
-
-Vec2 outward_normal(const Vec2 u, const Vec2 v) {
-  const double length = std::hypot(v.x - u.x, v.y - u.y);
-  return {(v.y - u.y) / length, -((v.x - u.x) / length)};
-}
-
-Vec2 closest_on_segment(const Vec2 p, const Vec2 u, const Vec2 v) {
-  const Vec2 along = v - u;
-  const double t = dot(p - u, along) / dot(along, along);
-  return u + std::clamp(t, 0.0, 1.0) * along;
-}
 
 // What the line through the edge u -> v of `owner` says, exactly: nothing if the other polygon has
 // a vertex beyond it (inside), else apart or touching. All common points then lie on the line, on
@@ -50,95 +38,148 @@ std::optional<PairState> judge_edge(const Vec2 u, const Vec2 v, const ConvexPoly
   return meet ? PairState::kTouching : PairState::kApart;
 }
 
+// Of one polygon's edge: the other's vertex that is deepest behind it, or least far before it.
 struct Axis {
-  double separation = -kInfinity;  // min over the other's vertices, along the outward normal
-  Vec2 normal;
-  Vec2 u, v;     // the edge
-  Vec2 deepest;  // the other's vertex that attains the minimum
+  double separation = kInfinity;  // plain separating-axis function
+  std::size_t deepest = 0;
 };
 
-// The separating-axis function of greatest value among the edges of `owner`; the first one found
-// that reaches `enough`.
-Axis best_axis(const ConvexPolygon& owner, const ConvexPolygon& other,
-               const double enough = kInfinity) {
-  Axis best;
-  for (std::size_t k = 0; k < owner.size() && best.separation < enough; ++k) {
-    Axis axis{kInfinity, {}, owner[k], next_vertex(owner, k), {}};
-    axis.normal = outward_normal(axis.u, axis.v);
-    for (const Vec2 w : other) {
-      const double s = dot(axis.normal, w - axis.u);
-      if (s < axis.separation) {
-        axis.separation = s;
-        axis.deepest = w;
-      }
-      if (s <= best.separation) break;
-    }
-    if (axis.separation > best.separation) best = axis;
+// Stops early, with a value that is too large, once that is below `enough`. Begins with the vertex
+// `start`: what is deepest behind one edge is most often deep behind the next.
+Axis axis_of_edge(const Outline& owner, const std::size_t edge, const Outline& other,
+                  const std::size_t start, const double enough) {
+  const Vec2 u = owner.vertices[edge];
+  const Vec2 normal = owner.normals[edge];
+  const std::size_t m = other.vertices.size();
+  Axis axis{kInfinity, start};
+  for (std::size_t i = 0, w = start; i < m; ++i, w = w + 1 == m ? 0 : w + 1) {
+    const double s = dot(normal, other.vertices[w] - u);
+    if (s >= axis.separation) continue;
+    axis = {s, w};
+    if (s < enough) break;
   }
+  return axis;
+}
+
+// The edge that faces the other polygon most: a good first guess of the greatest function.
+std::size_t facing_edge(const Outline& owner, const Vec2 towards) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < owner.normals.size(); ++k)
+    if (dot(owner.normals[k], towards) > dot(owner.normals[best], towards)) best = k;
   return best;
 }
 
+// Raises `separation` to the greatest plain function of the owner's edges; stops at one above
+// `enough`.
+void raise_separation(const Outline& owner, const Outline& other, const Vec2 towards,
+                      const double enough, double& separation) {
+  const std::size_t n = owner.vertices.size();
+  if (n == 1) return;  // a point has no axis of its own
+  const std::size_t first = facing_edge(owner, towards);
+  std::size_t start = 0;
+  for (std::size_t i = 0, k = first; i < n && separation <= enough;
+       ++i, k = k + 1 == n ? 0 : k + 1) {
+    const Axis axis = axis_of_edge(owner, k, other, start, separation);
+    start = axis.deepest;
+    separation = std::max(separation, axis.separation);
+  }
+}
+
+// The shortest way out. Plain doubles leave out what cannot be it; what they cannot tell apart is
+// compared by areas that are good to a few roundings of themselves.
+struct Escape {
+  double depth = kInfinity;
+  bool edge_of_b = true;
+  std::size_t edge = 0;
+  Vec2 deepest;  // the other's vertex that is deepest behind the edge
+};
+
+void try_edges(const Outline& owner, const Outline& other, const bool owner_is_b,
+               const double separation, const double error, Escape& best) {
+  const std::size_t n = owner.vertices.size();
+  if (n == 1) return;
+  std::size_t start = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double enough = separation - 2.0 * error;
+    const Axis axis = axis_of_edge(owner, k, other, start, enough);
+    start = axis.deepest;
+    if (axis.separation < enough) continue;
+    const Vec2 u = owner.vertices[k];
+    const Vec2 v = next_vertex(owner.vertices, k);
+    double area = -kInfinity;
+    Vec2 deepest;
+    for (const Vec2 w : other.vertices) {
+      if (dot(owner.normals[k], w - u) > axis.separation + 2.0 * error) continue;
+      const double candidate = signed_area(u, v, w);
+      if (candidate > area) area = candidate, deepest = w;
+    }
+    const double depth = area / std::hypot(v.x - u.x, v.y - u.y);
+    if (depth < best.depth) best = {depth, owner_is_b, k, deepest};
+  }
+}
+
+Escape shortest_escape(const Outline& a, const Outline& b, const double separation,
+                       const double error) {
+  Escape escape;
+  try_edges(b, a, true, separation, error, escape);
+  try_edges(a, b, false, separation, error, escape);
+  return escape;
+}
+
+Vec2 unit_normal(const Outline& outline, const std::size_t edge) {
+  return edge_normal(outline.vertices[edge], next_vertex(outline.vertices, edge));
+}
+
 // PD^t = - max over all separating-axis functions s; the direction is that function's normal.
-TranslationalDepth depth_along(const Axis& of_a, const Axis& of_b) {
+TranslationalDepth along_escape(const Outline& a, const Outline& b, const double separation,
+                                const double error) {
+  const Escape escape = shortest_escape(a, b, separation, error);
   TranslationalDepth result;
-  if (of_b.separation >= of_a.separation) {
-    result.depth = std::max(-of_b.separation, 0.0);
-    result.direction = of_b.normal;
-    // The foot of the deepest vertex; for parallel edges it may have to be moved along them.
-    const Vec2 foot = of_b.deepest + result.depth * result.direction;
-    result.on_b = closest_on_segment(foot, of_b.u, of_b.v);
-    result.on_a = result.on_b - result.depth * result.direction;
-  } else {
-    result.depth = std::max(-of_a.separation, 0.0);
-    result.direction = -of_a.normal;
-    const Vec2 foot = of_a.deepest - result.depth * result.direction;
-    result.on_a = closest_on_segment(foot, of_a.u, of_a.v);
-    result.on_b = result.on_a + result.depth * result.direction;
-  }
+  result.depth = escape.depth;
+  const Outline& owner = escape.edge_of_b ? b : a;
+  const Vec2 u = owner.vertices[escape.edge];
+  const Vec2 v = next_vertex(owner.vertices, escape.edge);
+  const Vec2 normal = unit_normal(owner, escape.edge);
+  // The foot of the deepest vertex; for parallel edges it may have to be moved along them.
+  const Vec2 foot = closest_on_segment(escape.deepest + escape.depth * normal, u, v);
+  const Vec2 opposite = foot - escape.depth * normal;
+  result.direction = escape.edge_of_b ? normal : -normal;
+  result.on_b = escape.edge_of_b ? foot : opposite;
+  result.on_a = escape.edge_of_b ? opposite : foot;
   return result;
 }
 
-TranslationalDepth overlap_depth(const ConvexPolygon& a, const ConvexPolygon& b) {
-  return depth_along(best_axis(a, b), best_axis(b, a));
-}
-
-void require_exact_range(const ConvexPolygon& a, const ConvexPolygon& b) {
-  for (const ConvexPolygon* polygon : {&a, &b}) {
-    if (!std::all_of(polygon->begin(), polygon->end(), in_exact_range)) {
-      throw std::invalid_argument("coordinate outside the range of exact arithmetic");
-    }
-  }
-}
-
-// Closest points of disjoint convex polygons: a vertex of one and an edge of the other.
-TranslationalDepth gap(const ConvexPolygon& a, const ConvexPolygon& b) {
+// Disjoint interiors: the nearest points.
+TranslationalDepth along_gap(const Outline& a, const Outline& b) {
+  const NearestPoints nearest = polygon_distance(a, b);
   TranslationalDepth result;
-  double distance = kInfinity;
-  const auto try_all = [&](const ConvexPolygon& vertices, const ConvexPolygon& edges,
-                           const bool vertices_of_a) {
-    for (const Vec2 w : vertices) {
-      for (std::size_t k = 0; k < edges.size(); ++k) {
-        const Vec2 foot = closest_on_segment(w, edges[k], next_vertex(edges, k));
-        const double d = std::hypot(w.x - foot.x, w.y - foot.y);
-        if (d >= distance) continue;
-        distance = d;
-        result.on_a = vertices_of_a ? w : foot;
-        result.on_b = vertices_of_a ? foot : w;
-      }
-    }
-  };
-  try_all(a, b, true);
-  try_all(b, a, false);
-  result.depth = -distance;
-  const Vec2 away = result.on_a - result.on_b;
-  result.direction = distance > 0.0 ? (1.0 / distance) * away : Vec2{};
+  result.depth = -nearest.distance;
+  result.on_a = nearest.vertex_of_a ? nearest.vertex : nearest.foot;
+  result.on_b = nearest.vertex_of_a ? nearest.foot : nearest.vertex;
+  result.direction = nearest.vertex_of_a ? nearest.away : -nearest.away;
   return result;
+}
+
+double axis_error(const Outline& a, const Outline& b) {
+  const Box both = joined(a.box, b.box);
+  const Vec2 extent = both.high - both.low;
+  return kAxisErrorUnits * kUnitRoundoff * (extent.x + extent.y);
+}
+
+// In plain doubles; any value above `enough` stands for one.
+double greatest_separation(const Outline& a, const Outline& b, const double enough) {
+  const Vec2 towards_a = centre(a.box) - centre(b.box);
+  double separation = -kInfinity;
+  raise_separation(b, a, towards_a, enough, separation);
+  raise_separation(a, b, -towards_a, enough, separation);
+  return separation;
 }
 
 }  // namespace
 
 PairState pair_state(const ConvexPolygon& a, const ConvexPolygon& b) {
   for (const auto& [owner, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
+    if (owner->size() == 1) continue;  // a point has no axis of its own
     for (std::size_t k = 0; k < owner->size(); ++k) {
       const auto state = judge_edge((*owner)[k], next_vertex(*owner, k), *other);
       if (state) return *state;
@@ -148,35 +189,52 @@ PairState pair_state(const ConvexPolygon& a, const ConvexPolygon& b) {
 }
 
 TranslationalDepth translational_depth(const ConvexPolygon& a, const ConvexPolygon& b) {
-  require_exact_range(a, b);
-  const PairState state = pair_state(a, b);
-  TranslationalDepth result = state == PairState::kOverlap ? overlap_depth(a, b) : gap(a, b);
-  result.state = state;
-  // Nearly touching: rounding may leave no distance to take the direction from.
-  if (state == PairState::kTouching || result.direction == Vec2{}) {
-    result.direction = overlap_depth(a, b).direction;
+  return translational_depth(make_outline(a), make_outline(b));
+}
+
+TranslationalDepth translational_depth(const Outline& a, const Outline& b) {
+  const double error = axis_error(a, b);
+  const double separation = greatest_separation(a, b, error);
+  PairState state = PairState::kApart;
+  if (separation < -error) {
+    state = PairState::kOverlap;
+  } else if (separation <= error) {
+    state = pair_state(a.vertices, b.vertices);
   }
-  if (state == PairState::kTouching) result.depth = 0.0;
+  TranslationalDepth result =
+      state == PairState::kOverlap ? along_escape(a, b, separation, error) : along_gap(a, b);
+  if (state == PairState::kTouching) {
+    result.depth = 0.0;
+    result.direction = along_escape(a, b, separation, error).direction;
+  }
+  result.state = state;
   result.direction = result.direction + Vec2{};  // no -0
   return result;
 }
 
-std::optional<TranslationalDepth> overlap_deeper_than(const ConvexPolygon& a,
-                                                      const ConvexPolygon& b, const double depth) {
-  require_exact_range(a, b);
-  const Axis of_b = best_axis(b, a, -depth);
-  if (of_b.separation >= -depth) return std::nullopt;
-  const Axis of_a = best_axis(a, b, -depth);
-  if (of_a.separation >= -depth || pair_state(a, b) != PairState::kOverlap) return std::nullopt;
-  TranslationalDepth result = depth_along(of_a, of_b);
-  result.state = PairState::kOverlap;
-  result.direction = result.direction + Vec2{};  // no -0
+std::optional<TranslationalDepth> overlap_deeper_than(const ConvexPolygon& polygon_a,
+                                                      const ConvexPolygon& polygon_b,
+                                                      const double depth) {
+  const Outline a = make_outline(polygon_a);
+  const Outline b = make_outline(polygon_b);
+  const double enough = axis_error(a, b) - depth;
+  if (greatest_separation(a, b, enough) > enough) return std::nullopt;
+  const TranslationalDepth result = translational_depth(a, b);
+  if (result.state != PairState::kOverlap || result.depth <= depth) return std::nullopt;
   return result;
 }
 
 bool overlap_exactly(const ConvexPolygon& a, const ConvexPolygon& b) {
-  require_exact_range(a, b);
+  for (const ConvexPolygon* polygon : {&a, &b})
+    if (!std::all_of(polygon->begin(), polygon->end(), in_exact_range))
+      throw std::invalid_argument("coordinate outside the range of exact arithmetic");
   return pair_state(a, b) == PairState::kOverlap;
+}
+
+TranslationalDepth translational_depth(const ConvexPolygon& a, const Pose& pose, const Outline& b,
+                                       Outline& moved) {
+  place_outline(a, pose, moved);
+  return translational_depth(moved, b);
 }
 
 }  // namespace pdg

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "outline.hpp"
 #include "polygon.hpp"
 
 namespace pdg {
@@ -15,19 +16,25 @@ enum class PairState : std::uint8_t {
   kOverlap,   // common interior points: PD^t > 0
 };
 
-// `state` is decided exactly for the doubles given. The other fields are plain doubles with an
-// error of some 10 u times the polygons' extent (|coordinate| when far from the origin).
+// For the polygons as given in doubles: `state` is exact; depth, or distance, and direction have a
+// relative error of kRelativeDepthErrorUnits u, however small they are; the points are rounded to
+// the coordinates' doubles.
 struct TranslationalDepth {
   PairState state = PairState::kApart;
-  double depth = 0.0;  // overlap: PD^t >= 0 (0 only by rounding); touching: 0; apart: -distance
+  double depth = 0.0;  // overlap: PD^t > 0; touching: 0; apart: -distance
   Vec2 direction;      // unit: moving A by depth * direction makes the two touch
   Vec2 on_a;           // the point of A that then meets ...
   Vec2 on_b;           // ... this point of B: on_b = on_a + depth * direction
 };
 
-// Both strictly convex, counter-clockwise, in the same frame. Throws std::invalid_argument for a
-// coordinate outside the range of predicates.hpp.
+// Both strictly convex (or what place_outline leaves), counter-clockwise, in the same frame. Throws
+// std::invalid_argument for a coordinate outside the range of predicates.hpp.
 TranslationalDepth translational_depth(const ConvexPolygon& a, const ConvexPolygon& b);
+TranslationalDepth translational_depth(const Outline& a, const Outline& b);
+
+// The hull of a's vertices as placed, against b; `moved` is working memory.
+TranslationalDepth translational_depth(const ConvexPolygon& a, const Pose& pose, const Outline& b,
+                                       Outline& moved);
 
 // The same for polygons that overlap by more than `depth` (in the doubles of translational_depth);
 // else nothing, which is found out sooner. With the same exception.

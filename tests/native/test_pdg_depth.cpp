@@ -295,7 +295,7 @@ TEST(Displacement, IsTheLargestOverBodyPoints) {
     }
     const pdg::DistanceBounds bounds = pdg::generalized_distance_bounds(body, from, to);
     EXPECT_NEAR(pdg::displacement(body, from, to), expected, 1e-12);
-    EXPECT_EQ(bounds.lower, pdg::displacement(body, from, to));
+    EXPECT_GE(bounds.lower, expected * (1 - 1e-13));  // or the turn of the smallest circle
     EXPECT_GE(bounds.upper, bounds.lower);
     EXPECT_LE(bounds.upper, bounds.lower * std::numbers::pi / 2 * (1 + 1e-12));
   }

@@ -156,24 +156,6 @@ def test_lower_bound_is_below_every_escape() -> None:
     assert found > 100
 
 
-def test_displacement_and_distance_bounds() -> None:
-    random = np.random.default_rng(9)
-    for _ in range(300):
-        ring = convex(random)
-        q0, q1 = random_pose(random), random_pose(random)
-        moves = np.hypot(*(placed(ring, q1) - placed(ring, q0)).T)
-        assert pdg.displacement(ring, q0, q1) == pytest.approx(moves.max(), abs=1e-12)
-        lower, upper = pdg.generalized_distance_bounds(ring, q0, q1)
-        assert lower == pdg.displacement(ring, q0, q1)
-        # The straight motion with an even turn is one of those that D_g minimises over.
-        turn = abs((q1[2] - q0[2] + np.pi) % (2 * np.pi) - np.pi)
-        straight = np.hypot(q1[0] - q0[0], q1[1] - q0[1]) + np.hypot(*ring.T).max() * turn
-        assert lower <= upper <= min(straight, lower * np.pi / 2) + 1e-12
-    assert pdg.generalized_distance_bounds(SQUARE, (0, 0, 1), (3, 4, 1)) == (5.0, 5.0)
-    half_turn = pdg.generalized_distance_bounds(SQUARE, (0, 0, 0), (0, 0, np.pi))
-    assert half_turn == pytest.approx((2 * 2**0.5, np.pi * 2**0.5))
-
-
 def test_bad_arguments_are_refused() -> None:
     with pytest.raises(pdg.PdgError, match=r"pose\[1\]: must be finite") as caught:
         pdg.translational_depth(SQUARE, SQUARE, (0, float("nan"), 0))

@@ -7,6 +7,7 @@
 #include "families.hpp"
 #include "generate.hpp"
 #include "pdg/native/displacement.hpp"
+#include "pdg/native/enclosing_circle.hpp"
 #include "pdg/native/generalized_depth.hpp"
 #include "pdg/native/motion_bound.hpp"
 #include "pdg/native/tolerances.hpp"
@@ -162,8 +163,16 @@ void displacements(Random& random, const bool adversarial, Tally& tally) {
                         c.a.radius * (1.0 + std::abs(from.theta) + std::abs(to.theta)));
   tally.near(pdg::displacement(c.a, from, to), most, bound);
   const pdg::DistanceBounds distance = pdg::generalized_distance_bounds(c.a, from, to);
-  tally.not_above(distance.lower, most, bound);
-  tally.not_below(distance.upper, most, bound);
+  // The lower bound is the displacement or the angle times the radius of the smallest circle.
+  std::vector<Vec2> vertices;
+  for (const ConvexPolygon& polygon : c.a.polygons)
+    vertices.insert(vertices.end(), polygon.begin(), polygon.end());
+  const double angle = std::abs(std::remainder(to.theta - from.theta, 2.0 * std::numbers::pi));
+  const Ball turning(angle * pdg::smallest_enclosing_circle(vertices).radius);
+  tally.claim(
+      (greatest(most, turning) + Ball(bound) - Ball(distance.lower)).certainly_not_negative());
+  tally.claim((Ball(distance.upper) - most).certainly_not_negative());
+  tally.claim(distance.lower <= distance.upper);
 }
 
 }  // namespace
