@@ -40,11 +40,10 @@ PieceSet near_pieces(const PieceSet& b, const Vec2 origin, const double reach) {
 
 FreePose measured(const PieceSet& body, const Pose& q0, const Pose& pose) {
   const DistanceBounds bounds = generalized_distance_bounds(body, q0, pose);
-  // D_g's bound is the displacement's, with its error, times at most pi / 2.
   const double error =
       kDisplacementErrorUnits * kUnitRoundoff *
       (norm(q0.t) + norm(pose.t) + body.radius * (1.0 + std::abs(q0.theta) + std::abs(pose.theta)));
-  return {pose, bounds.lower + error, bounds.upper * kRadiusPadding + 2.0 * error};
+  return {pose, displacement(body, q0, pose) + error, bounds.upper};
 }
 
 BracketSlices::BracketSlices(const PieceSet& a, const PieceSet& b, const Pose& q0,
