@@ -74,7 +74,7 @@ def check(
     assert 0 <= bound - 1e-13 * scale <= got.lo <= got.hi <= depth.depth + 1e-11 * scale
     assert pdg.displacement(a, pose, got.pose) <= got.hi
     assert pdg.displacement(a, pose, got.pose) == pytest.approx(got.hi, abs=1e-12 * scale)
-    assert pdg.generalized_distance_bounds(a, pose, got.distance_pose)[1] <= got.distance_hi
+    assert pdg.generalized_distance_bounds(a, pose, got.distance_pose).upper <= got.distance_hi
     assert got.hi - 1e-12 * scale <= got.distance_hi <= depth.depth + 1e-11 * scale
     half = abs(math.remainder(got.pose[2] - pose[2], 2 * math.pi)) / 2
     factor = half / math.sin(half) if half > 0 else 1.0  # depth.md section 3
