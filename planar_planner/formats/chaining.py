@@ -6,6 +6,8 @@ import math
 from collections import defaultdict
 from collections.abc import Sequence
 
+import numpy as np
+
 from planar_planner.errors import SceneError
 from planar_planner.formats.curves import (
     Outline,
@@ -103,29 +105,33 @@ def nested_figures(outlines: Sequence[Outline], tolerance: float, place: str) ->
 
     Outlines that cross are figures of their own, whose union counts.
     """
+    import shapely
+
     rings = [flattened(outline, 1, tolerance) for outline in outlines]
-    boxes = [_box(ring) for ring in rings]
-    around: list[list[int]] = [
-        [j for j in range(len(rings)) if j != i and _within(rings, boxes, i, j)]
-        for i in range(len(rings))
-    ]
-    figures: dict[int, list[Outline]] = {
-        i: [outlines[i]] for i in range(len(rings)) if len(around[i]) % 2 == 0
-    }
-    for i, owners in enumerate(around):
-        if len(owners) % 2 == 1:
-            innermost = max(owners, key=lambda j: len(around[j]))
+    boxes = shapely.box(*np.array([_box(ring) for ring in rings]).reshape(-1, 4).T)
+    owners: list[list[int]] = [[] for _ in rings]
+    inner, outer = shapely.STRtree(boxes).query(boxes, predicate="within")
+    for i, j in zip(inner.tolist(), outer.tolist(), strict=True):
+        if _lies_inside(rings[i], rings[j]):
+            owners[i].append(j)
+    figures: dict[int, list[Outline]] = {}
+    depth: dict[int, int] = {}
+    for i in sorted(range(len(rings)), key=lambda i: len(owners[i])):  # owners before what they own
+        innermost = max(owners[i], key=depth.__getitem__, default=None)
+        depth[i] = 0 if innermost is None else depth[innermost] + 1
+        if innermost is None or depth[i] % 2 == 0:
+            figures[i] = [outlines[i]]
+        else:
             figures[innermost].append(outlines[i])
     return [Figure(tuple(own), EVENODD, place) for own in figures.values()]
 
 
-def _within(rings: Sequence[Ring], boxes: Sequence[tuple[float, ...]], i: int, j: int) -> bool:
-    inner, outer = boxes[i], boxes[j]
-    if not (outer[0] < inner[0] and outer[1] < inner[1]):
+def _lies_inside(inner: Ring, outer: Ring) -> bool:
+    """Return whether a ring is inside another and touches none of its bounding box's sides."""
+    a, b = _box(inner), _box(outer)
+    if not (b[0] < a[0] and b[1] < a[1] and b[2] > a[2] and b[3] > a[3]):
         return False
-    if not (outer[2] > inner[2] and outer[3] > inner[3]):
-        return False
-    return all(contains(rings[j], p) for p in rings[i])
+    return all(contains(outer, p) for p in inner)
 
 
 def _box(ring: Ring) -> tuple[float, ...]:

@@ -159,6 +159,25 @@ def test_every_second_outline_is_a_hole(tmp_path: Path) -> None:
     assert areas == [36, 324 - 144, 225]
 
 
+def test_crossing_outlines_are_united(tmp_path: Path) -> None:
+    """One inside two of which one crosses the other; and one that stands there twice."""
+
+    def draw(space: Any) -> None:
+        box(space, "obstacle", 40, -10, 60, 10)
+        box(space, "obstacle", 42, -8, 58, 8)  # a hole in the first
+        box(space, "obstacle", 45, -20, 55, 20)  # crosses both
+        box(space, "obstacle", 48, -2, 52, 2)  # inside all three
+        space.add_circle((80, 0), 1, **on("obstacle"))
+        space.add_circle((80, 0), 1, **on("obstacle"))
+
+    scene = read(tmp_path / "d.dxf", dxf(draw), tolerance=0.01)
+    shapes = [shape(scene, k) for k in range(len(scene.obstacles))]
+    assert len(shapes) == 4
+    found = shapely.union_all([s for s in shapes if s.bounds[0] < 70])
+    assert found.area == 400 - 256 + 400 - 40
+    assert "copies of other obstacles dropped: 1" in scene.notes
+
+
 def test_an_entity_seen_from_below_is_mirrored(tmp_path: Path) -> None:
     below = {"layer": "obstacle", "extrusion": (0, 0, -1)}
     text = dxf(
