@@ -45,7 +45,7 @@ void try_vertices(const Outline& vertices, const Outline& edges, const bool vert
       const double plain = norm(from - t * along);
       if (plain > least + 2.0 * error) continue;  // a NaN goes on
       least = std::min(least, plain);
-      NearestPoints found = nearest_on_edge(w, u, v);
+      const NearestPoints found = nearest_on_edge(w, u, v);
       if (found.distance >= best.distance) continue;
       best = found;
       best.vertex_of_a = vertices_of_a;

@@ -88,7 +88,7 @@ WeightedCentre weighted_centre(const std::vector<WeightedPoint>& points) {
     const auto size = static_cast<std::size_t>(best.support_size);
     std::copy_n(best.support.begin(), size, few.begin() + 1);
     const std::span<const WeightedPoint> tried(few.data(), size + 1);
-    WeightedCentre next = centre_of_few(tried);
+    const WeightedCentre next = centre_of_few(tried);
     const double grown = greatest_power(tried, next.c);
     if (grown <= value) return best;  // by rounding only
     best = next;
