@@ -22,7 +22,7 @@ double least_along(const Vec2 normal, const std::span<const Vec2> vertices) {
   return least;
 }
 
-// The stretch of a line that a polygon covers.
+// Part of a line.
 struct Stretch {
   double low = -kInfinity;
   double high = kInfinity;
@@ -100,11 +100,10 @@ class Search {
       const SlicePlane& plane = slice_.planes[p];
       const double rate = dot(plane.normal, line.along);
       const double rest = plane.offset + overlap_ - dot(plane.normal, line.foot);
-      if (rate > 0.0) {
-        on.high = std::min(on.high, rest / rate);
-      } else if (rate < 0.0) {
-        on.low = std::max(on.low, rest / rate);
-      }
+      // Divides only where that shortens the stretch.
+      if (rate > 0.0 && rest < on.high * rate) on.high = rest / rate;
+      if (rate < 0.0 && rest < on.low * rate) on.low = rest / rate;
+      if (on.low > on.high) return on;
     }
     return on;
   }
@@ -123,10 +122,10 @@ class Search {
     return t.x > box.low.x && t.x < box.high.x && t.y > box.low.y && t.y < box.high.y;
   }
 
-  // The stretch of the line round s that the polygon covers, if it covers s.
-  std::optional<Stretch> cover(const ObstacleSlice::Polygon& polygon, const Line& line,
-                               const double s) const {
-    Stretch covered;
+  // Where the line leaves the polygon, from s on in one direction, if the polygon covers s.
+  std::optional<double> exit(const ObstacleSlice::Polygon& polygon, const Line& line,
+                             const double s, const double direction) const {
+    double exit = kInfinity;  // times the direction
     for (std::uint32_t p = polygon.begin; p < polygon.end; ++p) {
       const SlicePlane& plane = slice_.planes[p];
       const double rate = dot(plane.normal, line.along);
@@ -134,13 +133,10 @@ class Search {
       const double rest = whole - slack_;
       if (!(rate * s < rest)) return std::nullopt;
       const double end = use_ == SliceUse::kValue ? whole : rest;
-      if (rate > 0.0) {
-        covered.high = std::min(covered.high, end / rate);
-      } else if (rate < 0.0) {
-        covered.low = std::max(covered.low, end / rate);
-      }
+      const double ahead = direction * rate;
+      if (ahead > 0.0 && end < exit * ahead) exit = end / ahead;
     }
-    return covered;
+    return direction * exit;
   }
 
   // The first point that no polygon covers, from s on in one direction (+1 or -1) up to `end`.
@@ -152,11 +148,10 @@ class Search {
       for (const std::size_t k : by_size_) {
         const ObstacleSlice::Polygon& polygon = slice_.polygons[k];
         if (!in_box(polygon.box, t)) continue;
-        const std::optional<Stretch> covered = cover(polygon, line, s);
-        if (!covered) continue;
-        const double exit = direction > 0.0 ? covered->high : covered->low;
-        if (!(direction * exit > direction * s)) continue;  // at its end, up to rounding
-        s = exit;
+        const std::optional<double> left = exit(polygon, line, s, direction);
+        // At its end, up to rounding, it does not cover s.
+        if (!left || !(direction * *left > direction * s)) continue;
+        s = *left;
         if (!(direction * s <= direction * end)) return std::nullopt;
         moved = true;
         break;

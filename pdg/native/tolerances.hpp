@@ -80,8 +80,13 @@ inline constexpr double kStretchUnits = 8.0 * PDG_MARGIN_SCALE;
 // A half-plane of a Minkowski sum at one angle, and a point against it, in units of u (A + B + T),
 // coordinates from the slice's own origin, whose own magnitude counts towards A, B and T: the
 // moving vertex 16 (its difference 1, turn 8, product with the normal 7), the fixed one 8, the
-// translation 15 (normal 4, foot on the line 4, product 3, step along the line 4), sums 3.
+// translation 15 (normal 4, foot on the line 4, product 3, step along the line 4), sums 3; where
+// the body turns, 6 more of either vertex (the normal's turn and its sine and cosine).
 inline constexpr double kSliceErrorUnits = 32.0 * PDG_MARGIN_SCALE;
+
+// Middle of a range of turns after up to 60 halvings, in units of u (|middle| + half-angle): each
+// rounds it once. Else gaps as wide would stay between ranges.
+inline constexpr double kRangeMiddleUnits = 64.0 * PDG_MARGIN_SCALE;
 
 // A separating-axis function of two polygons as placed, in units of u times the diameter of both
 // together: normal 4, difference 1, product 2.
