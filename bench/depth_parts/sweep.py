@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import NamedTuple
 
 from depth_models import Model
@@ -14,6 +15,10 @@ import pdg
 
 BUDGET = 1.0  # seconds of repetitions for each figure
 FEWEST, MOST = 5, 2000
+TOLERANCE = 1e-3  # of the bracket, relative
+# Of lengths in plain doubles, relative: `lo` is rounded down, the others are not.
+ROUNDING = 1e-12
+ORDER = ("lb", "lo", "hi", "best", "ub1", "ub2")
 
 
 class Sample(NamedTuple):
@@ -26,8 +31,9 @@ class Sample(NamedTuple):
         Where on the motion, from 0 to 1.
     x, y, theta : float
         The configuration.
-    lb, best, ub1, ub2 : float
-        Lower bound by pieces; upper bounds: UB1 drawn back, by separators, by hulls.
+    lb, lo, hi, best, ub1, ub2 : float
+        Lower bound by pieces; the bracket, to `TOLERANCE`; upper bounds: UB1 drawn back, by
+        separators, by hulls.
     source : str
         What UB1 comes from.
     free_x, free_y, free_theta : float
@@ -40,6 +46,8 @@ class Sample(NamedTuple):
     y: float
     theta: float
     lb: float
+    lo: float
+    hi: float
     best: float
     ub1: float
     ub2: float
@@ -50,7 +58,11 @@ class Sample(NamedTuple):
 
 
 class Cost(NamedTuple):
-    """A row of the table: what the bodies consist of, and times for one query in milliseconds."""
+    """A row of the table: what the bodies consist of, and milliseconds for one query.
+
+    Medians and quartiles: of the bounds over repetitions of the whole motion, of the bracket over
+    its configurations.
+    """
 
     model: str
     vertices_a: int
@@ -67,6 +79,9 @@ class Cost(NamedTuple):
     ub2: float
     ub2_lower: float
     ub2_upper: float
+    bracket: float
+    bracket_lower: float
+    bracket_upper: float
 
 
 @dataclass(frozen=True)
@@ -92,11 +107,14 @@ def samples(prepared: Prepared, count: int) -> Iterator[Sample]:
     best = pdg.generalized_depth_upper_bound(A, B, poses, method="best")
     second = pdg.generalized_depth_upper_bound(A, B, poses, method="hulls")
     for k, pose in enumerate(poses.tolist()):
+        bracket = pdg.bracket(A, B, pose, TOLERANCE)
         yield Sample(
             prepared.model.name,
             k / (count - 1),
             *pose,
             float(lower.depth[k]),
+            bracket.lo,
+            bracket.hi,
             float(best.displacement[k]),
             float(first.displacement[k]),
             float(second.displacement[k]),
@@ -111,8 +129,7 @@ def cost(prepared: Prepared, count: int) -> Cost:
     poses = prepared.model.configurations(count)
 
     def milliseconds(call: Callable[[], object]) -> tuple[float, float, float]:
-        spread = Spread.of([1e3 * s / count for s in _seconds(call)])
-        return spread.median, spread.lower, spread.upper
+        return _milliseconds([seconds / count for seconds in _seconds(call)])
 
     return Cost(
         prepared.model.name,
@@ -124,22 +141,32 @@ def cost(prepared: Prepared, count: int) -> Cost:
         *milliseconds(lambda: pdg.generalized_depth_lower_bound(A, B.pieces, poses)),
         *milliseconds(lambda: pdg.generalized_depth_upper_bound(A, B, poses)),
         *milliseconds(lambda: pdg.generalized_depth_upper_bound(A, B, poses, method="hulls")),
+        *_milliseconds([_once(lambda q=q: pdg.bracket(A, B, q, TOLERANCE)) for q in poses]),
     )
 
 
 def broken(sample: Sample) -> str:
     """Return which promise does not hold at a sample, or an empty string."""
-    for low, high in (("lb", "best"), ("best", "ub1"), ("ub1", "ub2")):
-        if not getattr(sample, low) <= getattr(sample, high):
+    for low, high in pairwise(ORDER):
+        if not getattr(sample, low) <= getattr(sample, high) * (1.0 + ROUNDING):
             return f"{low} > {high}"
     return ""
 
 
 def _seconds(call: Callable[[], object]) -> Iterator[float]:
     for _ in repetitions(BUDGET, FEWEST, MOST):
-        began = time.process_time()
-        call()
-        yield time.process_time() - began
+        yield _once(call)
+
+
+def _once(call: Callable[[], object]) -> float:
+    began = time.process_time()
+    call()
+    return time.process_time() - began
+
+
+def _milliseconds(seconds: Sequence[float]) -> tuple[float, float, float]:
+    spread = Spread.of([1e3 * s for s in seconds])
+    return spread.median, spread.lower, spread.upper
 
 
 def _vertices(body: object) -> int:

@@ -49,7 +49,19 @@ def draw_bounds(axes: Axes, samples: Sequence[Sample]) -> None:
     """Draw the bounds along the motion."""
     t = [sample.t for sample in samples]
     axes.plot(t, [s.ub2 for s in samples], "--", color=COLOURS[1], label="UB2, hulls")
-    axes.plot(t, [s.ub1 for s in samples], "-", color=COLOURS[0], label="UB1, separators")
+    axes.plot(
+        t,
+        [s.ub1 for s in samples],
+        "-",
+        color=COLOURS[0],
+        linewidth=2.6,
+        alpha=0.6,
+        label="UB1, separators",
+    )
+    axes.fill_between(
+        t, [s.lo for s in samples], [s.hi for s in samples], color="black", label="PD^g, bracketed"
+    )
+    axes.plot(t, [0.5 * (s.lo + s.hi) for s in samples], "-", color="black", linewidth=0.8)
     axes.plot(t, [s.best for s in samples], ":", color=COLOURS[3], label="best, drawn back")
     axes.plot(t, [s.lb for s in samples], "-.", color=COLOURS[2], label="LB, pieces")
     axes.set(xlabel="t", xlim=(0.0, 1.0))
