@@ -7,11 +7,11 @@ namespace {
 
 using Candidate = DepthScratch::Candidate;
 
-ConvexPolygon piece_at(const PlacedBody& body, const std::size_t i) {
+void take_piece(const PlacedBody& body, const std::size_t i, ConvexPolygon& piece) {
   const auto vertex = [&](const std::uint32_t k) {
     return body.vertices.begin() + static_cast<std::ptrdiff_t>(k);
   };
-  return {vertex(body.first[i]), vertex(body.first[i + 1])};
+  piece.assign(vertex(body.first[i]), vertex(body.first[i + 1]));
 }
 
 // All pairs whose depth is within rounding of the greatest one, in order of their indices.
@@ -47,8 +47,8 @@ DepthLowerBound generalized_depth_lower_bound(const PieceSet& a, const PieceSet&
   for (const Candidate& candidate : scratch.candidates) {
     // Of polygons that just overlap, rounding may leave a depth of 0.
     const double beaten = best.piece_a >= 0 ? best.depth : -scratch.placed.error;
-    const auto pair = overlap_deeper_than(piece_at(scratch.placed, candidate.piece_a),
-                                          b.polygons[candidate.piece_b], beaten);
+    take_piece(scratch.placed, candidate.piece_a, scratch.piece);
+    const auto pair = overlap_deeper_than(scratch.piece, b.polygons[candidate.piece_b], beaten);
     if (!pair) continue;
     best = {pair->depth, static_cast<int>(candidate.piece_a), static_cast<int>(candidate.piece_b),
             *pair};
@@ -73,9 +73,11 @@ bool interiors_are_disjoint(const PieceSet& a, const PieceSet& b, const Pose& po
       [&](const std::size_t i, const std::size_t j) {
         const double separation = pair_separation(scratch.placed, i, b.pieces[j], error).value;
         if (separation >= error) return;
+        disjoint = separation > -error;
+        if (!disjoint) return;
         // Decided exactly where rounding leaves it open.
-        disjoint =
-            separation > -error && !overlap_exactly(piece_at(scratch.placed, i), b.polygons[j]);
+        take_piece(scratch.placed, i, scratch.piece);
+        disjoint = !overlap_exactly(scratch.piece, b.polygons[j]);
       })
       .run();
   return disjoint;

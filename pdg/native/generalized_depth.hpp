@@ -26,6 +26,7 @@ struct DepthScratch {
   };
   PlacedBody placed;
   std::vector<Candidate> candidates;
+  ConvexPolygon piece;  // of the placed body
 };
 
 // max over pairs of PD^t(A_i(q), B_j) ([PDG] section 6.1): PD^g is at least that, under D_g and
