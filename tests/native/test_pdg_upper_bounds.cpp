@@ -189,7 +189,7 @@ TEST(UpperBound, HullsComeApartWhateverTheirPlace) {
   int overlapping = 0;
   for (int k = 0; k < 5000; ++k) {
     const double far = std::pow(10.0, pick(random, 0, 12));
-    std::vector<Vec2> points_a = random_points(random, 8);
+    const std::vector<Vec2> points_a = random_points(random, 8);
     std::vector<Vec2> points_b = random_points(random, 8);
     const Vec2 shift{uniform(random, -far, far), uniform(random, -far, far)};
     for (Vec2& p : points_b) p = p + shift;
