@@ -1,7 +1,6 @@
 #include "nearest_in_hull.hpp"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -49,6 +48,7 @@ std::optional<std::vector<double>> affine_weights(const Corral& corral) {
   }
   double sum = 0.0;
   for (const double w : x) sum += w;
+  if (!(sum > 0.0) || !std::isfinite(sum)) return {};
   for (double& w : x) w /= sum;
   return x;
 }

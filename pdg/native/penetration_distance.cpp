@@ -53,7 +53,14 @@ class Growth {
       slack_weight_[i] += a.error()[i];
       if (product > 0.0) product_share_ = std::max(product_share_, product / slack_weight_[i]);
     }
-    for (std::size_t id = 0; id < hull_.id_bound(); ++id) enqueue(static_cast<Id>(id));
+    for (std::size_t id = 0; id < hull_.id_bound(); ++id) {
+      const Id facet = static_cast<Id>(id);
+      for (const Id vertex : hull_.vertices(facet)) {
+        const double residual = std::abs(hull_.height(facet, hull_.point(vertex)));
+        first_residual_ = std::max(first_residual_, residual);
+      }
+      enqueue(facet);
+    }
   }
 
   PenetrationDistance run(const DistanceLimits& limits, const std::function<bool()>& interrupted,
@@ -166,7 +173,7 @@ class Growth {
   [[nodiscard]] bool sound() const {
     const double steps = static_cast<double>(iterations_ + 2);
     const double drift = steps * (kPlaneDriftUnits * product_share_ * worst_slack_ + kSeenHeight);
-    return worst_slack_ + drift < 0.5;
+    return worst_slack_ + first_residual_ + drift < 0.5;
   }
 
   [[nodiscard]] PenetrationDistance answer(const OriginState state, const StopReason reason,
@@ -196,6 +203,7 @@ class Growth {
   std::vector<double> s_;
   std::size_t iterations_ = 0;
   double worst_slack_ = 0.0;
+  double first_residual_ = 0.0;  // of the first simplex's planes at their vertices
   bool outside_ = false;
 };
 
@@ -266,7 +274,11 @@ PenetrationDistance penetration_distance(const ConvexSet& a, const ConvexSet& q,
     return without_polytope(OriginState::kFlat, a, q, start.direction);
   }
   const std::optional<SimplexPlanes> planes = simplex_planes(a.dimension(), start.points);
-  if (!planes) return without_polytope(OriginState::kFlat, a, q, start.direction);
+  if (!planes) {
+    PenetrationDistance unclear = without_polytope(OriginState::kBoundary, a, q, start.direction);
+    unclear.reason = StopReason::kPrecision;
+    return unclear;
+  }
   return for_dimension(a.dimension())(a, q, start, *planes, limits, interrupted, listener);
 }
 

@@ -17,7 +17,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "tolerances.hpp"
@@ -64,7 +66,7 @@ class SimplicialHull {
 
   // Takes in a point that `seen` sees: the facets seen are replaced by those that join the point to
   // their horizon, and the new ones returned (until the next call). Empty, and nothing done, if
-  // height(seen, s) <= kSeenHeight.
+  // height(seen, s) <= kSeenHeight. Throws std::length_error beyond 2^31 / n facets.
   std::span<const Id> add(std::span<const double> s, Id seen);
 
  private:
@@ -228,6 +230,9 @@ auto SimplicialHull<N>::add(const std::span<const double> s, const Id seen) -> s
   made_.clear();
   find_visible(s, seen);
   if (visible_.empty()) return {};
+  if ((id_bound() + horizon_.size()) * dimension() > std::numeric_limits<Id>::max()) {
+    throw std::length_error("the hull has more facets than can be numbered");
+  }
   const Id apex = static_cast<Id>(points_.size() / dimension());
   points_.insert(points_.end(), s.begin(), s.end());
   for (const Id horizon_half : horizon_) stand_on(horizon_half, apex);

@@ -82,11 +82,13 @@ std::vector<double> difference(const View a, const View b) {
 StartSimplex extended(const ConvexSet& set, const Corral& corral) {
   const std::size_t n = set.dimension();
   const View base = corral.point(0);
-  StartSimplex simplex{StartState::kFound, {base.begin(), base.end()}, {}};
+  StartSimplex simplex{StartState::kFound, {base.begin(), base.end()}, std::vector<double>(n)};
+  simplex.direction[0] = 1.0;
   Basis basis(n);
   const auto take = [&](const View point) {
-    if (!basis.extend(difference(point, base))) return;
+    if (!basis.extend(difference(point, base))) return false;
     simplex.points.insert(simplex.points.end(), point.begin(), point.end());
+    return true;
   };
   for (std::size_t k = 1; k < corral.size(); ++k) take(corral.point(k));
   std::vector<double> up(n);
@@ -97,10 +99,11 @@ StartSimplex extended(const ConvexSet& set, const Corral& corral) {
     const double above = support(set, u, up) - height;
     for (double& x : u) x = -x;
     const double below = support(set, u, down) + height;
-    if (!(std::max(above, below) > 2.0 * rounding_along(set, u))) {
+    if (!(std::max(above, below) > 2.0 * rounding_along(set, u)) ||
+        !take(above > below ? up : down)) {
       return {StartState::kFlat, {}, std::move(u)};
     }
-    take(above > below ? up : down);
+    simplex.direction = u;
   }
   return simplex;
 }

@@ -19,7 +19,9 @@ struct StartSimplex {
   // n + 1 rows, affinely independent. The origin is in their hull, on its boundary perhaps, to
   // within rounding; it may be out of it if rounding decides whether it is in the set at all.
   std::vector<double> points;
-  std::vector<double> direction;  // unit; outside and flat: the direction concerned
+  // Unit; outside and flat: the direction concerned; found: any, a thin one if points had to be
+  // added.
+  std::vector<double> direction;
 };
 
 // GJK with the nearest points found by Wolfe's method: the set's support points in the direction of
