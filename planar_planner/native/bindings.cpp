@@ -78,6 +78,7 @@ planner::Parts parts_of(const std::vector<std::string>& without, const std::stri
     if (part == "partition") parts.partition = false;
     if (part == "cheap") parts.cheap = false;
     if (part == "probe") parts.probe = false;
+    if (part == "ridge") parts.ridge = false;
   }
   if (query == "none") parts.query = planner::CullingQuery::kNone;
   if (query == "published") parts.query = planner::CullingQuery::kPublished;
@@ -144,6 +145,8 @@ nb::dict statistics_dict(const planner::Answer& answer) {
   out["faces_tested"] = s.faces_tested;
   out["segments_tested"] = s.segments_tested;
   out["probe_checks"] = s.probe_checks;
+  out["ridge_tries"] = s.ridge_tries;
+  out["ridge_evaluations"] = s.ridge_evaluations;
   out["search_rounds"] = s.search_rounds;
   out["search_expansions"] = s.search_expansions;
   out["search_rebuilds"] = s.search_rebuilds;

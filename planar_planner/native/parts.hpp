@@ -23,7 +23,8 @@ struct Parts {
   bool hierarchy = true;    // obstacles by a bounding-volume hierarchy; without: all pairs
   bool partition = true;    // disjoint convex pieces; without: a cover of larger, overlapping ones
   bool cheap = true;        // straight and two-leg moves, and discs, before any subdivision
-  bool probe = true;        // a first try by RRT-Connect, certified; without: cells only
+  bool ridge = true;  // paths along the ridge of the clearance; without: channels of cells only
+  bool probe = true;  // a first try by RRT-Connect, certified; without: cells only
 };
 
 }  // namespace planner

@@ -15,6 +15,16 @@ constexpr double kListenerPeriod = 0.1;  // seconds
 // value in (0, 1] is sound.
 constexpr float kBatch = 0.7F;
 
+// The ridge is tried when so many cells have been labelled, and each time they are so many times as
+// many again. Earlier channels are too coarse; rarer tries come late where the first ones fail.
+constexpr std::uint64_t kFirstRidge = 128;
+constexpr std::uint64_t kRidgeGrowth = 2;
+// What a try may cost, in evaluations of separating-axis functions: so many, and one in so many of
+// those made before. Together the tries are at most a twelfth of the evaluations, and some hundred
+// microseconds.
+constexpr std::uint64_t kRidgeWork = 1000;
+constexpr std::uint64_t kRidgeShare = 24;
+
 }  // namespace
 
 Refinement::Refinement(const Problem& problem, ObstacleTree& tree, Subdivision& subdivision,
@@ -28,7 +38,9 @@ Refinement::Refinement(const Problem& problem, ObstacleTree& tree, Subdivision& 
       query_(query),
       start_point_(dyadic_point(problem, query.start)),
       goal_point_(dyadic_point(problem, query.goal)),
-      search_(subdivision, statistics) {}
+      search_(subdivision, statistics),
+      ridge_(problem, tree, subdivision, segments, statistics),
+      next_ridge_(kFirstRidge) {}
 
 void Refinement::run() {
   subdivision_.clear_exhausted();
@@ -61,6 +73,7 @@ void Refinement::run() {
         return query_.conclude(Verdict::kUndecided, "resolution reached");
     }
     statistics_.channel_length = channel.size();
+    if (try_ridge(channel)) return;
     const bool everywhere = !problem_.parts.guided && !solid(channel);
     if (split_mixed(everywhere ? all_cells() : channel)) continue;
     if (!link(channel)) continue;
@@ -172,9 +185,32 @@ bool Refinement::finish(const std::vector<CellId>& channel) {
       exhaust(cell);
     return false;
   }
-  query_.answer.path = report_path(std::move(path));
-  query_.conclude(Verdict::kPath, "certified through a channel of cells", "channel");
+  conclude_path(std::move(path), "certified through a channel of cells", "channel");
   return true;
+}
+
+// A path along the ridge of the clearance through a channel that is still MIXED. True if the query
+// is answered, or stopped.
+bool Refinement::try_ridge(const std::vector<CellId>& channel) {
+  const Parts& parts = problem_.parts;
+  if (!parts.ridge || !parts.guided || statistics_.labelled_cells < next_ridge_) return false;
+  const Stopwatch watch(statistics_.seconds.path);
+  next_ridge_ = kRidgeGrowth * statistics_.labelled_cells;
+  ++statistics_.ridge_tries;
+  const Terminator terminator = [this] { return stop(); };
+  const std::uint64_t budget = kRidgeWork + statistics_.axis_work() / kRidgeShare;
+  std::vector<Configuration> path =
+      ridge_.find(channel, query_.start, query_.goal, budget, terminator);
+  if (path.empty() || certify_shortened(problem_, tree_, segments_, path, terminator))
+    return query_.stopped;
+  conclude_path(std::move(path), "certified along the ridge of the clearance", "ridge");
+  return true;
+}
+
+void Refinement::conclude_path(std::vector<Configuration> path, const char* reason,
+                               const char* by) {
+  query_.answer.path = report_path(std::move(path));
+  query_.conclude(Verdict::kPath, reason, by);
 }
 
 bool Refinement::stop() {

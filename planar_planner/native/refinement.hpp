@@ -9,6 +9,7 @@
 #include "face.hpp"
 #include "problem.hpp"
 #include "query.hpp"
+#include "ridge_path.hpp"
 #include "segment.hpp"
 #include "subdivision.hpp"
 
@@ -30,6 +31,8 @@ class Refinement {
   bool link(const std::vector<CellId>& channel);
   void resolve_doubt(CellId a, CellId b);
   bool finish(const std::vector<CellId>& channel);
+  bool try_ridge(const std::vector<CellId>& channel);
+  void conclude_path(std::vector<Configuration> path, const char* reason, const char* by);
   void split(CellId cell);
   void exhaust(CellId cell);
   bool stop();
@@ -44,6 +47,8 @@ class Refinement {
   std::array<std::uint64_t, 3> start_point_, goal_point_;
   ChannelSearch search_;
   std::vector<Connector> connectors_;
+  RidgePath ridge_;
+  std::uint64_t next_ridge_;  // labelled cells at which the ridge is tried again
 };
 
 // Leaves by label and level.

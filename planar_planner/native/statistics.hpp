@@ -28,6 +28,8 @@ struct Statistics {
   std::uint64_t faces_tested = 0;
   std::uint64_t segments_tested = 0;
   std::uint64_t probe_checks = 0;  // configurations that the first try asked about
+  std::uint64_t ridge_tries = 0;
+  std::uint64_t ridge_evaluations = 0;  // separating-axis functions at single configurations
   std::uint64_t search_rounds = 0;
   std::uint64_t search_expansions = 0;
   std::uint64_t search_rebuilds = 0;  // mended trees that overlooked a channel: a defect
@@ -37,6 +39,9 @@ struct Statistics {
   Seconds seconds;
   std::string decided_by;
 
+  [[nodiscard]] std::uint64_t axis_work() const {
+    return separation_evaluations + ridge_evaluations;
+  }
   // Counts and times of a query asked on the way.
   Statistics& operator+=(const Statistics& other);
 };

@@ -1,0 +1,146 @@
+#include "ridge_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace planner {
+
+namespace {
+
+// How often a gap may be halved. Two suffice to enter a gate and to leave it; where more are needed
+// the channel is still too coarse.
+constexpr int kHalvings = 3;
+
+}  // namespace
+
+bool RidgePath::spent() const {
+  return statistics_.axis_work() >= most_ || (*stop_)();
+}
+
+// Of the robot's farthest point, at most.
+double RidgePath::way(const Pose& from, const Pose& to) const {
+  return pdg::norm(to.t - from.t) + problem_.robot.reach * std::abs(to.theta - from.theta);
+}
+
+// As it will be returned, so that what is certified is that.
+Pose RidgePath::rounded(const Pose& pose) const {
+  return pose_of(problem_, configuration_of(problem_, pose));
+}
+
+// A guard, or the centre, with theta near the angle given.
+Pose RidgePath::middle_of(const CellId id, const double near) const {
+  const CellSpace& space = subdivision_.space();
+  const CellBox& box = subdivision_.cell(id).box;
+  const double theta =
+      space.rotation ? nearest_turn(radians_of_turns(subdivision_.guard_turns(id)), near) : near;
+  if (subdivision_.cell(id).label == Label::kStar) return {subdivision_.guard(id), theta};
+  const Vec2 t = position_of(space, box.low[kX] + box.size(kX) / 2, box.low[kY] + box.size(kY) / 2);
+  return {t, theta};
+}
+
+// One a cell, but for cells where none is found. False if the channel is too coarse yet.
+bool RidgePath::find_footholds(const std::vector<CellId>& channel) {
+  for (std::size_t i = 0; i < channel.size(); ++i) {
+    const Cell& cell = subdivision_.cell(channel[i]);
+    const Pose middle = middle_of(channel[i], footholds_.back().pose.theta);
+    if (cell.solid()) {
+      footholds_.push_back({rounded(middle), i, INFINITY});
+      continue;
+    }
+    const ConstraintView undecided = subdivision_.undecided(channel[i]);
+    const auto is_node = [](const PairHeader& pair) { return pair.robot == kNode; };
+    if (spent() || std::any_of(undecided.pairs.begin(), undecided.pairs.end(), is_node))
+      return false;
+    scope_.clear();
+    climb_.add_axes(undecided, scope_);
+    RidgeClimb::sort_axes(scope_);
+    const Height top = climb_.climb(middle, cell.size * problem_.robot.reach, scope_);
+    if (top.clearance > 0.0) footholds_.push_back({rounded(top.pose), i, top.clearance});
+  }
+  return true;
+}
+
+// The tightest first: they are the likeliest to fail.
+void RidgePath::list_gaps() {
+  gaps_.clear();
+  for (std::size_t i = 0; i + 1 < footholds_.size(); ++i) {
+    const Foothold& from = footholds_[i];
+    const Foothold& to = footholds_[i + 1];
+    const bool missing = to.cell > from.cell + 1;
+    gaps_.push_back({i, missing ? -1.0 : std::min(from.clearance, to.clearance), {}});
+  }
+  std::stable_sort(gaps_.begin(), gaps_.end(),
+                   [](const Gap& a, const Gap& b) { return a.clearance < b.clearance; });
+}
+
+void RidgePath::look_between(const std::vector<CellId>& channel, const Foothold& from,
+                             const Foothold& to) {
+  scope_.clear();
+  for (std::size_t i = from.cell; i <= to.cell; ++i) {
+    const Label label = subdivision_.cell(channel[i]).label;
+    if (label == Label::kMixed || label == Label::kStar)
+      climb_.add_axes(subdivision_.undecided(channel[i]), scope_);
+  }
+  RidgeClimb::sort_axes(scope_);
+}
+
+// Where axes stay fixed, what they separate is nearly convex. A configuration separated by the axes
+// of both ends is seen from both: before a gate, aligned with it.
+Height RidgePath::between_axes(const Pose& from, const Pose& to, const double radius) {
+  const Pose middle = between(from, to, 0.5);
+  for (const bool all_good : {true, false}) {
+    both_.clear();
+    for (const Pose& end : {from, to})
+      if (all_good)
+        climb_.add_good(end, scope_, both_);
+      else
+        climb_.add_best(end, scope_, both_);
+    RidgeClimb::sort_axes(both_);
+    const Height top = climb_.climb_all(middle, radius, both_);
+    if (top.clearance > 0.0) return top;
+  }
+  return climb_.climb(middle, radius, scope_);
+}
+
+bool RidgePath::connect(const Pose& from, const Pose& to, const int depth,
+                        std::vector<Pose>& poses) {
+  if (spent()) return false;
+  if (segments_.certify(from, to)) {
+    poses.push_back(to);
+    return true;
+  }
+  if (depth == 0) return false;
+  const double radius = way(from, to);
+  const Height top = between_axes(from, to, radius);
+  if (!(top.clearance > 0.0) || way(between(from, to, 0.5), top.pose) > radius) return false;
+  const Pose there = rounded(top.pose);
+  return connect(from, there, depth - 1, poses) && connect(there, to, depth - 1, poses);
+}
+
+std::vector<Configuration> RidgePath::find(const std::vector<CellId>& channel,
+                                           const Configuration& start, const Configuration& goal,
+                                           const std::uint64_t budget, const Terminator& stop) {
+  most_ = statistics_.axis_work() + budget;
+  stop_ = &stop;
+  footholds_.assign(1, {pose_of(problem_, start), 0, INFINITY});
+  if (!find_footholds(channel)) return {};
+  Configuration end = goal;
+  const double theta = footholds_.back().pose.theta;
+  end.theta = problem_.rotation ? nearest_turn(goal.theta, theta) : start.theta;
+  footholds_.push_back({pose_of(problem_, end), channel.size() - 1, INFINITY});
+  list_gaps();
+  for (Gap& gap : gaps_) {
+    const Foothold& from = footholds_[gap.from];
+    const Foothold& to = footholds_[gap.from + 1];
+    look_between(channel, from, to);
+    if (!connect(from.pose, to.pose, kHalvings, gap.poses)) return {};
+  }
+  std::sort(gaps_.begin(), gaps_.end(), [](const Gap& a, const Gap& b) { return a.from < b.from; });
+  std::vector<Configuration> path{start};
+  for (const Gap& gap : gaps_)
+    for (const Pose& pose : gap.poses) path.push_back(configuration_of(problem_, pose));
+  path.back() = end;
+  return path;
+}
+
+}  // namespace planner
