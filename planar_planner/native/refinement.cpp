@@ -15,15 +15,15 @@ constexpr double kListenerPeriod = 0.1;  // seconds
 // value in (0, 1] is sound.
 constexpr float kBatch = 0.7F;
 
-// The ridge is tried when so many cells have been labelled, and each time they are so many times as
-// many again. Earlier channels are too coarse; rarer tries come late where the first ones fail.
+// The ridge is tried when so many cells have been labelled: earlier channels are too coarse. Again
+// when they are so many times as many, or the work since the last try is so many times its own.
+// Work is counted in evaluations of separating-axis functions.
 constexpr std::uint64_t kFirstRidge = 128;
 constexpr std::uint64_t kRidgeGrowth = 2;
-// What a try may cost, in evaluations of separating-axis functions: so many, and one in so many of
-// those made before. Together the tries are at most a twelfth of the evaluations, and some hundred
-// microseconds.
+constexpr std::uint64_t kRidgePatience = 20;
+// What a try may cost: so much, and one part in so many of the work before.
 constexpr std::uint64_t kRidgeWork = 1000;
-constexpr std::uint64_t kRidgeShare = 24;
+constexpr std::uint64_t kRidgeShare = 12;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ Refinement::Refinement(const Problem& problem, ObstacleTree& tree, Subdivision& 
       goal_point_(dyadic_point(problem, query.goal)),
       search_(subdivision, statistics),
       ridge_(problem, tree, subdivision, segments, statistics),
-      next_ridge_(kFirstRidge) {}
+      next_ridge_{kFirstRidge, UINT64_MAX} {}
 
 void Refinement::run() {
   subdivision_.clear_exhausted();
@@ -193,14 +193,17 @@ bool Refinement::finish(const std::vector<CellId>& channel) {
 // is answered, or stopped.
 bool Refinement::try_ridge(const std::vector<CellId>& channel) {
   const Parts& parts = problem_.parts;
-  if (!parts.ridge || !parts.guided || statistics_.labelled_cells < next_ridge_) return false;
+  const std::uint64_t before = statistics_.axis_work();
+  const bool due = statistics_.labelled_cells >= next_ridge_.cells || before >= next_ridge_.work;
+  if (!parts.ridge || !parts.guided || !due) return false;
   const Stopwatch watch(statistics_.seconds.path);
-  next_ridge_ = kRidgeGrowth * statistics_.labelled_cells;
   ++statistics_.ridge_tries;
   const Terminator terminator = [this] { return stop(); };
-  const std::uint64_t budget = kRidgeWork + statistics_.axis_work() / kRidgeShare;
-  std::vector<Configuration> path =
-      ridge_.find(channel, query_.start, query_.goal, budget, terminator);
+  std::vector<Configuration> path = ridge_.find(channel, query_.start, query_.goal,
+                                                kRidgeWork + before / kRidgeShare, terminator);
+  const std::uint64_t after = statistics_.axis_work();
+  next_ridge_ = {kRidgeGrowth * statistics_.labelled_cells,
+                 after + kRidgePatience * (after - before)};
   if (path.empty() || certify_shortened(problem_, tree_, segments_, path, terminator))
     return query_.stopped;
   conclude_path(std::move(path), "certified along the ridge of the clearance", "ridge");

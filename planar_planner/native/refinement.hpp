@@ -48,7 +48,12 @@ class Refinement {
   ChannelSearch search_;
   std::vector<Connector> connectors_;
   RidgePath ridge_;
-  std::uint64_t next_ridge_;  // labelled cells at which the ridge is tried again
+  // When the ridge is tried again, whichever comes first.
+  struct Due {
+    std::uint64_t cells;  // Statistics::labelled_cells
+    std::uint64_t work;   // Statistics::axis_work()
+  };
+  Due next_ridge_;
 };
 
 // Leaves by label and level.

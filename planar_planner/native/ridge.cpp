@@ -151,6 +151,7 @@ Height RidgeClimb::climb_by(Pose at, double radius, const Linearise& linearise) 
   double clearance = linearise(at);
   std::swap(terms_, terms_here_);
   for (int i = 0; i < kSteps && clearance < roomy && !terms_here_.empty(); ++i) {
+    terms_here_.push_back({roomy, {}});  // no farther than that
     const MaxMinStep step = max_min_step(terms_here_, kSteepest / radius);
     if (!(step.least - clearance > kEnough * std::abs(step.least))) break;
     const Pose next = moved(at, step.d);
@@ -161,6 +162,7 @@ Height RidgeClimb::climb_by(Pose at, double radius, const Linearise& linearise) 
       std::swap(terms_, terms_here_);
     } else {
       radius *= kShorter;
+      terms_here_.pop_back();
     }
   }
   return {at, clearance};
