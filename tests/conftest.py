@@ -41,6 +41,8 @@ STATS = {
     "pairs_total": 9,
     "faces_tested": 7,
     "probe_checks": 0,
+    "ridge_tries": 0,
+    "ridge_evaluations": 0,
     "search_rounds": 2,
     "memory_bytes": 2048,
     "seconds": {

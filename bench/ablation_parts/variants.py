@@ -48,6 +48,7 @@ ABLATIONS = (
     Variant("no joint, DISP query", ("joint", "probe"), "displacement"),
     Variant("no joint, Eq. 3 query", ("joint", "probe"), "published"),
     Variant("no joint, no query", ("joint", "probe"), "none"),
+    Variant("no ridge", ("ridge", "probe")),
     Variant("no star test", ("star", "probe")),
     Variant("level by level", ("guided", "probe")),
     Variant("search from scratch", ("incremental", "probe")),

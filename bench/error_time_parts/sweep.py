@@ -26,12 +26,13 @@ PARTS: dict[str, tuple[tuple[str, ...], str]] = {
     "search from scratch": (("incremental",), "per-normal"),
     "no hierarchy": (("hierarchy",), "per-normal"),
     "cover": (("partition",), "per-normal"),
+    "no ridge": (("ridge",), "per-normal"),
     "no cheap moves": (("cheap",), "per-normal"),
     "query: displacement": ((), "displacement"),
     "query: published": ((), "published"),
     "query: none": ((), "none"),
     # [NOPATH] with [STAR]: star-shaped cells and the scalar query, refined level by level.
-    "as published": (("joint", "guided", "cheap", "incremental"), "published"),
+    "as published": (("joint", "guided", "cheap", "incremental", "ridge"), "published"),
 }
 """What is left out, and the C-obstacle query (planar_planner/native/parts.hpp), by name."""
 

@@ -69,8 +69,9 @@ void RidgePath::list_gaps() {
     const bool missing = to.cell > from.cell + 1;
     gaps_.push_back({i, missing ? -1.0 : std::min(from.clearance, to.clearance), {}});
   }
-  std::stable_sort(gaps_.begin(), gaps_.end(),
-                   [](const Gap& a, const Gap& b) { return a.clearance < b.clearance; });
+  std::sort(gaps_.begin(), gaps_.end(), [](const Gap& a, const Gap& b) {
+    return a.clearance < b.clearance || (a.clearance == b.clearance && a.from < b.from);
+  });
 }
 
 void RidgePath::look_between(const std::vector<CellId>& channel, const Foothold& from,
