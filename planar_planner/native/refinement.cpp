@@ -23,7 +23,7 @@ constexpr std::uint64_t kRidgeGrowth = 2;
 constexpr std::uint64_t kRidgePatience = 20;
 // What a try may cost: so much, and one part in so many of the work before.
 constexpr std::uint64_t kRidgeWork = 1000;
-constexpr std::uint64_t kRidgeShare = 12;
+constexpr std::uint64_t kRidgeShare = 24;
 
 }  // namespace
 
