@@ -11,8 +11,8 @@
 
 namespace planner {
 
-// Of the random numbers: of 1 to 60, the one that solves most of ten shipped and five open scenes soon.
-// Another would do as well elsewhere.
+// Of the random numbers: of 1 to 60, the one that solves most of ten shipped and five open scenes
+// soon. Another would do as well elsewhere.
 inline constexpr std::uint64_t kSeed = 24;
 
 class RrtConnect {
