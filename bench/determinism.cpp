@@ -90,8 +90,8 @@ std::uint64_t hash_of(planner::Planner& planner, const planner::Answer& answer) 
   for (const std::uint64_t n :
        {s.labelled_cells, s.separation_evaluations, s.pairs_touched, s.pairs_total, s.star_tests,
         s.joint_cells, s.faces_tested, s.segments_tested, s.probe_checks, s.ridge_tries,
-        s.ridge_evaluations, s.search_rounds,
-        s.search_expansions, s.search_rebuilds, s.channel_length})
+        s.ridge_evaluations, s.search_rounds, s.search_expansions, s.search_rebuilds,
+        s.channel_length})
     hash.add(n);
   for (const std::uint64_t n : answer.cells_by_label) hash.add(n);
   for (const std::uint64_t n : answer.cells_by_level) hash.add(n);

@@ -15,6 +15,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Iterator, Sequence
+from functools import partial
 
 from depth_parts.common import in_microseconds, timed
 from grasp_parts import linearised, picture_error_time
@@ -103,7 +104,7 @@ def hulls(
         chosen = list(zip(grasps, truths, strict=True))[: 2 if k >= 64 else None]
         errors = [(true - linearised.efficiency(grasp, k)) / true for grasp, true in chosen]
         repetitions = 1 if k >= 64 else 3
-        seconds = [timed(lambda g=g: linearised.efficiency(g, k), repetitions) for g, _ in chosen]  # noqa: B023  called at once
+        seconds = [timed(partial(linearised.efficiency, g, k), repetitions) for g, _ in chosen]
         yield make_row(contacts, f"Qhull, {k} edges", errors, seconds)
 
 

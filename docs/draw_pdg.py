@@ -53,9 +53,15 @@ def body(axes: Axes, ring: Ring, colour: str, label: str = "", *, filled: bool =
     axes.add_patch(Polygon(ring, closed=True, fc=face, ec=colour, lw=1.5, ls=style, label=label))
 
 
+def _pair(point: NDArray[np.float64]) -> tuple[float, float]:
+    return float(point[0]), float(point[1])
+
+
 def arrow(axes: Axes, start: NDArray[np.float64], end: NDArray[np.float64], colour: str) -> None:
     """Draw an arrow."""
-    axes.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 2})
+    axes.annotate(
+        "", _pair(end), _pair(start), arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 2}
+    )
 
 
 def finish(figure: mpl.figure.Figure, name: str) -> None:

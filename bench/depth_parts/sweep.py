@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -106,12 +107,15 @@ def samples(prepared: Prepared, count: int) -> Iterator[Sample]:
     first = pdg.generalized_depth_upper_bound(A, B, poses)
     best = pdg.generalized_depth_upper_bound(A, B, poses, method="best")
     second = pdg.generalized_depth_upper_bound(A, B, poses, method="hulls")
-    for k, pose in enumerate(poses.tolist()):
-        bracket = pdg.bracket(A, B, pose, TOLERANCE)
+    for k, (x, y, theta) in enumerate(poses.tolist()):
+        bracket = pdg.bracket(A, B, (x, y, theta), TOLERANCE)
+        free_x, free_y, free_theta = first.displaced_pose[k].tolist()
         yield Sample(
             prepared.model.name,
             k / (count - 1),
-            *pose,
+            x,
+            y,
+            theta,
             float(lower.depth[k]),
             bracket.lo,
             bracket.hi,
@@ -119,7 +123,9 @@ def samples(prepared: Prepared, count: int) -> Iterator[Sample]:
             float(first.displacement[k]),
             float(second.displacement[k]),
             str(first.source[k, 0]),
-            *first.displaced_pose[k].tolist(),
+            free_x,
+            free_y,
+            free_theta,
         )
 
 
@@ -141,7 +147,7 @@ def cost(prepared: Prepared, count: int) -> Cost:
         *milliseconds(lambda: pdg.generalized_depth_lower_bound(A, B.pieces, poses)),
         *milliseconds(lambda: pdg.generalized_depth_upper_bound(A, B, poses)),
         *milliseconds(lambda: pdg.generalized_depth_upper_bound(A, B, poses, method="hulls")),
-        *_milliseconds([_once(lambda q=q: pdg.bracket(A, B, q, TOLERANCE)) for q in poses]),
+        *_milliseconds([_once(partial(pdg.bracket, A, B, q, TOLERANCE)) for q in poses]),
     )
 
 

@@ -16,6 +16,7 @@ above a point `STANDOFF` outside the centroid of its face, along the face's norm
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -85,8 +86,10 @@ def reaching(name: FingerName, contact: Contact, pose: HandPose, joint_1_locked:
         revolute(pose.turn @ point + pose.origin, pose.turn @ axis)
         for point, axis in zip(points, axes, strict=True)
     ]
-    first = "locked" if joint_1_locked else "active"
-    return finger(contact, joints, COUPLING, (first, "active", "active"))
+    modes: list[Literal["active", "locked", "free"]] = ["active", "active", "active"]
+    if joint_1_locked:
+        modes[0] = "locked"
+    return finger(contact, joints, COUPLING, modes)
 
 
 def bend(inward: float, down: float) -> tuple[float, float, float]:

@@ -46,7 +46,8 @@ def run(title: str, wrenches: WrenchSet, eps: float) -> Growth:
     )
     late = counts >= counts[-1] / 4
     exponent = float(np.polyfit(np.log(counts[late]), np.log(seconds[late]), 1)[0])
-    return Growth(title, *steps.T, counts.astype(float), seconds, exponent)
+    lower, upper, facets = steps.T
+    return Growth(title, lower, upper, facets, counts.astype(float), seconds, exponent)
 
 
 def rows(found: Sequence[Growth]) -> Iterator[tuple[object, ...]]:

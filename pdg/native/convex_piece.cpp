@@ -33,7 +33,7 @@ Vec2 outward_normal(const Vec2 a, const Vec2 b, const double scale) {
 // rounds as ldexp does.
 double frame_scale(const Frame& frame) {
   constexpr int kBias = 1023;
-  constexpr int kFractionBits = 52;
+  constexpr unsigned kFractionBits = 52;
   return std::bit_cast<double>(static_cast<std::uint64_t>(frame.exponent + kBias) << kFractionBits);
 }
 
