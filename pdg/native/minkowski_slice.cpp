@@ -36,7 +36,7 @@ class Search {
         f_(f),
         use_(use),
         slack_((use == SliceUse::kBound ? 3.0 : 0.5) * slice.error),
-        overlap_(use == SliceUse::kBound ? slack_ : 0.0),
+        overlap_(3.0 * slice.error),
         bound_(cutoff) {}
 
   std::optional<SliceMinimum> run(const bool origin_is_covered) {
@@ -90,7 +90,8 @@ class Search {
   }
 
   // The stretch of an edge's line that the edge itself takes up, within reach. A little more does
-  // a bound no harm: it is not inside the polygon either.
+  // no harm: it is not inside the polygon either. Without it two edges that coincide but for
+  // rounding, of either body, could each cut off the other.
   Stretch extent(const Edge& edge, const Line& line) const {
     const double half = std::sqrt((reach_ - edge.distance) * (reach_ + edge.distance));
     Stretch on{-half, half};

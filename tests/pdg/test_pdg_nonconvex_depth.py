@@ -202,3 +202,20 @@ def test_many_poses() -> None:
     assert list(pdg.translational_depth(CROSS, ELL, np.array(poses))) == [
         pdg.translational_depth(CROSS, ELL, pose) for pose in poses
     ]
+
+
+def test_parallel_edges_in_general_directions() -> None:
+    """Edges of A and B that are parallel but for rounding do not cut each other off."""
+    random = np.random.default_rng(7)
+    square, stairs = shapely.box(0, 0, 1, 1), shapely.box(0, 0, 3, 1).union(shapely.box(0, 1, 1, 3))
+    overlapping = 0
+    for _ in range(60):
+        turn, shear, height = random.uniform((0, -1, 0.2), (7, 1, 1.5))
+        c, s = np.cos(turn), np.sin(turn)
+        basis = np.array([[c, -s], [s, c]]) @ [[1, shear], [0, height]]
+        a, b = (shapely.transform(g, lambda p, m=basis: p @ m.T) for g in (square, stairs))
+        for step in ((0, 0), (0, 1), (0.5, 0.5), (0, 2), (1, 0)):
+            x, y = basis @ step
+            got = check(a, b, (float(x), float(y), 0.0))
+            overlapping += got.state == "overlap"
+    assert overlapping > 200
