@@ -76,7 +76,7 @@ class BranchAndBound {
   }
 
   [[nodiscard]] double nearest_turn_bound(const double middle, const double half) const {
-    return slices_.turning_bound(std::max(0.0, std::abs(middle) - half * kRadiusPadding));
+    return slices_.turning_bound(std::max(0.0, std::abs(middle) - padded_half(middle, half)));
   }
 
   BracketEnd search() {

@@ -46,6 +46,10 @@ FreePose measured(const PieceSet& body, const Pose& q0, const Pose& pose) {
   return {pose, displacement(body, q0, pose) + error, bounds.upper};
 }
 
+double padded_half(const double middle, const double half) {
+  return half * kRadiusPadding + kRangeMiddleUnits * kUnitRoundoff * (std::abs(middle) + half);
+}
+
 BracketSlices::BracketSlices(const PieceSet& a, const PieceSet& b, const Pose& q0,
                              const double reach)
     : a_(a), b_(b), q0_(q0) {
@@ -112,8 +116,7 @@ std::optional<FreePose> BracketSlices::nearest_free(const double delta, const do
 // At a free pose turned by delta + epsilon, |epsilon| <= half, the same translation is outside the
 // cores at delta, and every point of A is within 2 r sin(half / 2) of where it is at delta.
 double BracketSlices::lower_bound(const double delta, const double half, const double cutoff) {
-  const double padded =
-      half * kRadiusPadding + kRangeMiddleUnits * kUnitRoundoff * (std::abs(delta) + half);
+  const double padded = padded_half(delta, half);
   const double drift = 2.0 * std::sin(0.5 * padded) * circle_.outer * kRadiusPadding;
   turn_to(delta);
   const Turn turn = turn_by(padded);

@@ -23,6 +23,10 @@ struct FreePose {
 // A free pose with its distances from q0.
 FreePose measured(const PieceSet& body, const Pose& q0, const Pose& pose);
 
+// The half-width with which ranges of turns that were halved again and again cover every angle,
+// their middles' rounding included.
+double padded_half(double middle, double half);
+
 class BracketSlices {
  public:
   // `reach`: an upper bound of PD^g under DISP.

@@ -53,8 +53,13 @@ class MinkowskiSum final : public ConvexSet {
   }
 
   double add_support(const View u, const std::span<double> point) const override {
+    // Each summand apart: one that is a sum itself rounds at its own magnitude, not at ours.
+    Scratch summand(u.size());
     double sum = 0.0;
-    for (const SetPointer& set : sets_) sum += set->add_support(u, point);
+    for (const SetPointer& set : sets_) {
+      sum += support(*set, u, summand.span());
+      for (std::size_t i = 0; i < u.size(); ++i) point[i] += summand.span()[i];
+    }
     return sum;
   }
 

@@ -25,7 +25,8 @@ class ConvexSet {
 
   // h(u). u has dimension() coordinates and any length; h(0) = 0.
   [[nodiscard]] virtual double value(std::span<const double> u) const = 0;
-  // Adds s(u) to `point` (so that sums need no scratch) and returns h(u). For u = 0 any point.
+  // Adds s(u) to `point`, part by part, and returns h(u). For u = 0 any point. error() is that of a
+  // point that starts from zeros.
   virtual double add_support(std::span<const double> u, std::span<double> point) const = 0;
 
   [[nodiscard]] std::size_t dimension() const { return magnitude_.size(); }

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "enclosing_circle.hpp"
 #include "tolerances.hpp"
-#include "weighted_circle.hpp"
 
 namespace pdg {
 namespace {

@@ -71,7 +71,7 @@ inline double upper_bound(const ConvexSet& a, const ConvexSet& q, const std::spa
   const double denominator = h_q - weighted_norm(u, q.error()) * kSumPadding;
   if (!(denominator > 0.0)) return std::numeric_limits<double>::infinity();
   const double ratio = numerator / denominator;
-  return ratio + 4.0 * kUnitRoundoff * std::abs(ratio);
+  return ratio + kQuotientErrorUnits * kUnitRoundoff * std::abs(ratio);
 }
 
 // delta_j / h_Q(m_j) rounded down, delta the least computed m.v of a facet's vertices; 0 unless
@@ -82,7 +82,7 @@ inline double facet_bound(const ConvexSet& q, const std::span<const double> m, c
   if (!(offset > 0.0) || !(offset - slack * kSumPadding > centre_height)) return 0.0;
   const double extent = std::max(h_q, 0.0) + weighted_norm(m, q.error()) * kSumPadding;
   if (!(extent > 0.0)) return std::numeric_limits<double>::infinity();
-  return offset / extent * (1.0 - 4.0 * kUnitRoundoff);
+  return offset / extent * (1.0 - kQuotientErrorUnits * kUnitRoundoff);
 }
 
 }  // namespace pdg

@@ -79,13 +79,12 @@ inline constexpr double kStretchUnits = 8.0 * PDG_MARGIN_SCALE;
 
 // A half-plane of a Minkowski sum at one angle, and a point against it, in units of u (A + B + T),
 // coordinates from the slice's own origin, whose own magnitude counts towards A, B and T: the
-// moving vertex 16 (its difference 1, turn 8, product with the normal 7), the fixed one 8, the
-// translation 15 (normal 4, foot on the line 4, product 3, step along the line 4), sums 3; where
-// the body turns, 6 more of either vertex (the normal's turn and its sine and cosine).
+// at most 30 of A, 29 of B, 31 of T, where an edge of one body turns until it faces one of the
+// other.
 inline constexpr double kSliceErrorUnits = 32.0 * PDG_MARGIN_SCALE;
 
-// Middle of a range of turns after up to 60 halvings, in units of u (|middle| + half-angle): each
-// rounds it once. Else gaps as wide would stay between ranges.
+// Middle of a range of turns, in units of u (|middle| + half-angle): the first product 1, at most
+// 46 halvings 1 each. Else gaps as wide would stay between ranges.
 inline constexpr double kRangeMiddleUnits = 64.0 * PDG_MARGIN_SCALE;
 
 // A separating-axis function of two polygons as placed, in units of u times the diameter of both
@@ -115,6 +114,10 @@ inline constexpr double kSupportErrorUnits = 10.0 * PDG_MARGIN_SCALE;
 
 // Relative padding of computed sums of up to 2^20 nonnegative products of bounds.
 inline constexpr double kSumPadding = 1.0 + 0x1p-30 * PDG_MARGIN_SCALE;
+
+// A bound that is a quotient of padded terms: a sum over it and one under it, the division, and the
+// product that pads it: 4, relative.
+inline constexpr double kQuotientErrorUnits = 8.0 * PDG_MARGIN_SCALE;
 
 // A facet's plane is a convex combination of two others and moves off its vertices by at most this
 // many times the rounding of one evaluation of a plane: coefficients 2, combination 1, heights 2 at

@@ -142,6 +142,37 @@ TEST(EnclosingCircle, BoundsBothSidesOfTheRadius) {
   }
 }
 
+TEST(EnclosingCircle, InnerRadiusHoldsFarFromTheOrigin) {
+  Random random(59);
+  for (int trial = 0; trial < 300; ++trial) {
+    const Vec2 far{uniform(random, -1e10, 1e10), uniform(random, -1e10, 1e10)};
+    const Vec2 a = far + Vec2{uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0)};
+    const Vec2 b = far + Vec2{uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0)};
+    const long double dx = static_cast<long double>(b.x) - a.x;
+    const long double dy = static_cast<long double>(b.y) - a.y;
+    EXPECT_LE(pdg::enclosing_circle_bounds({a, b}).inner, 0.5L * std::sqrt(dx * dx + dy * dy));
+  }
+}
+
+// Any angle is followed down to ranges as narrow as the bracket makes; those beside a seam between
+// two ranges fall into a gap that rounding leaves, if they are not padded.
+TEST(BracketSlices, PaddedRangesLeaveNoGap) {
+  Random random(61);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const double first = uniform(random, 0.0, 3.0) / 8;
+    const int k = pick(random, 0, 7);
+    double half = first;
+    double middle = first * (2 * k - 7);
+    const long double share = pick(random, 0, 1 << 20) / static_cast<long double>(1 << 20);
+    const long double angle = static_cast<long double>(first) * (2 * k - 8 + 2 * share);
+    for (int level = 0; level < 46; ++level) {
+      EXPECT_LE(std::abs(angle - middle), pdg::padded_half(middle, half)) << level;
+      half *= 0.5;
+      middle += angle < middle ? -half : half;
+    }
+  }
+}
+
 pdg::PieceSet random_body(Random& random, const int parts) {
   std::vector<ConvexPolygon> polygons;
   for (int k = 0; k < parts; ++k) {

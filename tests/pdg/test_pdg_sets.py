@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
@@ -164,3 +166,14 @@ def test_a_python_object_that_lies_or_breaks_is_reported() -> None:
 def test_wrong_arguments_are_named(make: object, message: str) -> None:
     with pytest.raises(pdg.PdgError, match=message):
         make()  # type: ignore[operator]
+
+
+def test_a_sum_within_a_sum_rounds_at_its_own_magnitude() -> None:
+    """Small summands do not vanish one by one beside a large one; one rounding is left to the sum.
+
+    2e-17 is a fifth of a rounding of 1, so each of 200 would leave it as it is.
+    """
+    small = sets.MinkowskiSum([sets.PointSet([(2e-17, 0)])] * 200)
+    whole = sets.MinkowskiSum([sets.PointSet([(1, 0)]), small])
+    _, point = whole.support((1.0, 0.0))
+    assert abs(Fraction(point[0]) - 1 - 200 * Fraction(2e-17)) < Fraction(1, 2**52)
