@@ -78,7 +78,7 @@ inline constexpr double kLiftOffUnits = 8.0;
 inline constexpr double kStretchUnits = 8.0 * PDG_MARGIN_SCALE;
 
 // A half-plane of a Minkowski sum at one angle, and a point against it, in units of u (A + B + T),
-// coordinates from the slice's own origin, whose own magnitude counts towards A, B and T: the
+// coordinates from the slice's own origin, whose own magnitude counts towards A, B and T:
 // at most 30 of A, 29 of B, 31 of T, where an edge of one body turns until it faces one of the
 // other.
 inline constexpr double kSliceErrorUnits = 32.0 * PDG_MARGIN_SCALE;
@@ -100,7 +100,7 @@ inline constexpr double kTurnErrorUnits = 4.0;
 // Errors of results, for whoever compares them; no verdict leans on these. PD^t of two polygons as
 // placed, in units of u relative to it: area 10, length of the edge 3, quotient 1; the distance of
 // disjoint polygons likewise. PD^t of pieces as given, in units of u times the diameter of both
-// together (placing: 8). The displacement of a body: in units of u (|t0| + |t1| + r (1 + |theta0| +
+// together, from their frames' origins (placing 5 of A and 1 of T, depth 14 of A + B: 9.5). The displacement of a body: in units of u (|t0| + |t1| + r (1 + |theta0| +
 // |theta1|)), r the body's largest radius.
 inline constexpr double kRelativeDepthErrorUnits = 16.0;
 inline constexpr double kDepthErrorUnits = 12.0;
