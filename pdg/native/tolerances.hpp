@@ -97,11 +97,12 @@ inline constexpr double kGapErrorUnits = 16.0;
 // the full turns' own rounding 0.4.
 inline constexpr double kTurnErrorUnits = 4.0;
 
-// Errors of results, for whoever compares them; no verdict leans on these. PD^t of two polygons as
-// placed, in units of u relative to it: area 10, length of the edge 3, quotient 1; the distance of
-// disjoint polygons likewise. PD^t of pieces as given, in units of u times the diameter of both
-// together, from their frames' origins (placing 5 of A and 1 of T, depth 14 of A + B: 9.5). The displacement of a body: in units of u (|t0| + |t1| + r (1 + |theta0| +
-// |theta1|)), r the body's largest radius.
+// Errors of results; no label leans on these, the bracket of PD^g and the bounds of D_g do. PD^t of
+// two polygons as placed, in units of u relative to it: area 10, length of the edge 3, quotient 1;
+// the distance of disjoint polygons likewise. PD^t of pieces as given, in units of u times the
+// diameter of both together and their frames' origins: placing 5 of A and 1 of T, depth 14 of
+// A + B. The displacement of a body: in units of u (|t0| + |t1| + r (1 + |theta0| + |theta1|)), r
+// the body's largest radius: 10 of r, 4 of t.
 inline constexpr double kRelativeDepthErrorUnits = 16.0;
 inline constexpr double kDepthErrorUnits = 12.0;
 inline constexpr double kDisplacementErrorUnits = 16.0;
