@@ -132,7 +132,8 @@ class Search {
     if (!nearest) return;
     const double lower = std::max(nearest->distance - shift,
                                   least_by_turning(std::max(0.0, std::abs(middle) - half)));
-    if (lower >= wanted()) return;
+    // Turns that move the spokes by less than the margin, which is for rounding, are all one.
+    if (lower >= wanted() || shift < margin_) return;
     scratch_.heap.push_back({lower, middle, half});
     std::push_heap(scratch_.heap.begin(), scratch_.heap.end(), later);
   }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "displacement.hpp"
+#include "outline.hpp"
 #include "tolerances.hpp"
 
 namespace pdg {
@@ -38,9 +39,12 @@ DepthUpperBound hull_upper_bound(const PieceSet& a, const PieceSet& b, const Pos
   const Separation separation =
       pair_separation(hull, 0, b.hull_piece, std::numeric_limits<double>::infinity());
   // Decided exactly where rounding leaves it open.
-  if (separation.value > hull.error || (separation.value >= -hull.error &&
-                                        pair_state(hull.vertices, b.hull) != PairState::kOverlap)) {
-    return bound;
+  if (separation.value >= -hull.error) {
+    ConvexPolygon placed_hull = hull.vertices;
+    restore_convexity(placed_hull);
+    if (separation.value > hull.error || pair_state(placed_hull, b.hull) != PairState::kOverlap) {
+      return bound;
+    }
   }
   const double depth = std::max(-separation.value, 0.0);
   double beyond = 4.0 * hull.error;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "outline.hpp"
+
 namespace pdg {
 namespace {
 
@@ -12,6 +14,7 @@ void take_piece(const PlacedBody& body, const std::size_t i, ConvexPolygon& piec
     return body.vertices.begin() + static_cast<std::ptrdiff_t>(k);
   };
   piece.assign(vertex(body.first[i]), vertex(body.first[i + 1]));
+  restore_convexity(piece);
 }
 
 // All pairs whose depth is within rounding of the greatest one, in order of their indices.

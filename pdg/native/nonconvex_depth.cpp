@@ -12,6 +12,7 @@
 #include "convex_hull.hpp"
 #include "generalized_depth.hpp"
 #include "minkowski_slice.hpp"
+#include "outline.hpp"
 #include "polygon_distance.hpp"
 #include "predicates.hpp"
 #include "slice_pieces.hpp"
@@ -104,6 +105,7 @@ TranslationalDepth translational_depth(const PieceSet& a, const PieceSet& b, con
     if (!std::all_of(moved.back().begin(), moved.back().end(), in_exact_range)) {
       throw std::invalid_argument("coordinate outside the range of exact arithmetic");
     }
+    restore_convexity(moved.back());
   }
   DepthScratch scratch;
   return interiors_are_disjoint(a, b, pose, scratch) ? nearest_pair(moved, b) : way_out(moved, b);

@@ -72,4 +72,8 @@ void place_outline(const ConvexPolygon& polygon, const Pose& pose, Outline& out)
   finish(out);
 }
 
+void restore_convexity(ConvexPolygon& placed) {
+  if (!is_strictly_convex(placed)) placed = convex_hull(std::move(placed));
+}
+
 }  // namespace pdg

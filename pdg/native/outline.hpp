@@ -25,6 +25,9 @@ Outline make_outline(ConvexPolygon polygon);
 // one edge has no normal). Reuses the memory of `out`. Throws as above.
 void place_outline(const ConvexPolygon& polygon, const Pose& pose, Outline& out);
 
+// What place_outline says of slivers, for a polygon that is placed already.
+void restore_convexity(ConvexPolygon& placed);
+
 inline Vec2 next_vertex(const ConvexPolygon& polygon, const std::size_t k) {
   return polygon[k + 1 == polygon.size() ? 0 : k + 1];
 }

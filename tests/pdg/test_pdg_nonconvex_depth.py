@@ -219,3 +219,12 @@ def test_parallel_edges_in_general_directions() -> None:
             got = check(a, b, (float(x), float(y), 0.0))
             overlapping += got.state == "overlap"
     assert overlapping > 200
+
+
+def test_a_piece_that_placing_shrinks_to_a_point_counts() -> None:
+    """The other part is out at once; the small one is deep inside."""
+    tiny = shapely.Polygon([(0, 0), (1e-9, 0), (0, 1e-9)])
+    a = shapely.MultiPolygon([tiny, shapely.box(-30, -1, -20, 1)])
+    b = shapely.box(-16, -16, 16, 16)
+    got = pdg.translational_depth(a, shapely.affinity.translate(b, 2.0**30, 0), (2.0**30, 1, 0))
+    assert (got.state, got.depth, got.direction) == ("overlap", 15.0, (0.0, 1.0))
