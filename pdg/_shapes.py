@@ -82,6 +82,8 @@ def _geometry(value: object, name: str) -> Any:
         KeyError,
         IndexError,
         AttributeError,
+        NotImplementedError,  # curves
+        RecursionError,
     ) as error:
         raise PdgError(f"not a geometry: {error}", name) from error
 

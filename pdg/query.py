@@ -110,7 +110,7 @@ def c_obstacle_query(
         For a broken polygon, an unknown method, numbers that are not finite and negative
         half-extents (``index`` is the row in a batch).
     """
-    if method not in _METHODS:
+    if not isinstance(method, str) or method not in _METHODS:
         raise PdgError(f"expected one of {sorted(_METHODS)}", "method", value=method)
     judged = _gate.cells(cell, "cell")
     pieces_a = convex_pieces(A, name="A")

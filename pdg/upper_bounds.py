@@ -217,6 +217,8 @@ def generalized_depth_upper_bound(
         (``index`` is its row in a batch).
     """
     pieces_a = convex_pieces(A, name="A")
+    if not isinstance(method, str):
+        raise PdgError("expected 'hulls', 'separators' or 'best'", "method", value=method)
     if method == "hulls":
         pieces_b = B.pieces if isinstance(B, ConvexSeparators) else convex_pieces(B, name="B")
         separators = None

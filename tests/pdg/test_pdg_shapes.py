@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from typing import Any
 
 import numpy as np
 import pytest
@@ -147,3 +148,16 @@ def test_bad_bodies_are_refused(body: object, words: str, index: int | None) -> 
     assert words in str(caught.value)
     assert caught.value.name == "body"
     assert caught.value.index == index
+
+
+def test_curves_and_methods_of_other_types_are_refused() -> None:
+    for text in ("CIRCULARSTRING(0 0, 1 1, 2 0)", '{"a":' * 100000):
+        with pytest.raises(pdg.PdgError):
+            pdg.convex_pieces(text)
+    square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    odd: Any = ([], np.zeros(3), {}, None)
+    for method in odd:
+        with pytest.raises(pdg.PdgError):
+            pdg.c_obstacle_query(square, square, (0, 0, 0, 1, 1, 1), method)
+        with pytest.raises(pdg.PdgError):
+            pdg.generalized_depth_upper_bound(square, square, method=method)
