@@ -83,6 +83,16 @@ def test_closed_forms(n: int) -> None:
         assert found.point @ u == pytest.approx(A.support(u)[0], rel=1e-12)
 
 
+@pytest.mark.parametrize("n", [7, 8])
+def test_round_sets_in_many_dimensions(n: int) -> None:
+    """Facets of a round set multiply with the dimension: a coarse bracket, but a true one."""
+    rng = np.random.default_rng(n)
+    for _ in range(2):
+        r, b = rng.uniform(1.0, 2.0, n), rng.uniform(0.5, 1.0, n)
+        found = pdg.penetration_distance(sets.Ellipsoid(r), sets.Ellipsoid(b), eps=0.3)
+        check(found, float(np.min(r / b)), 0.3, "ellipsoid in ellipsoid")
+
+
 @pytest.mark.parametrize("n", [2, 3, 5])
 def test_stretched_sets_keep_their_distance(n: int) -> None:
     """d_MQ(MA) = d_Q(A), however badly M scales: 10⁻⁶ to 10⁶."""
