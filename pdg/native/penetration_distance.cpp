@@ -82,7 +82,7 @@ class Growth {
   }
 
  private:
-  using Id = SimplicialHull<N>::Id;
+  using Id = std::int32_t;  // SimplicialHull<N>::Id, which Clang 14 takes only with a typename
 
   [[nodiscard]] double allowed_gap(const DistanceLimits& limits) const {
     const double relative = limits.relative_gap > 0.0 ? limits.relative_gap * upper_.bound : 0.0;
