@@ -41,6 +41,7 @@ from ompl_table import (
 from provenance import RESULTS, print_provenance, write_csv
 
 from planar_planner.builtin import manifest
+from planar_planner.command_arguments.importing import add_importing, import_options
 from planar_planner.compare import (
     SamplerRun,
     Settings,
@@ -52,7 +53,6 @@ from planar_planner.compare import (
 from planar_planner.comparison import aligned
 from planar_planner.errors import OptionsError, SceneError
 from planar_planner.formats.parts import ImportOptions
-from planar_planner.import_arguments import add_importing, import_options
 from planar_planner.judge import Judge
 from planar_planner.samplers import INSTALL_HINT
 from planar_planner.scene import load_scene

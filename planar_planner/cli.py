@@ -14,7 +14,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from types import FrameType
 
-from planar_planner.arguments import make_parser, with_joined_numbers
+from planar_planner.command_arguments.parser import make_parser, with_joined_numbers
 from planar_planner.errors import OptionsError, SceneError, one_line
 from planar_planner.output import OutputError, complain, flush, use_safe_encoding
 

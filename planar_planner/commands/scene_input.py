@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from planar_planner.import_arguments import import_options
+from planar_planner.command_arguments.importing import import_options
 from planar_planner.output import complain
 from planar_planner.scene import Scene, load_scene
 

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from planar_planner.arguments import options_of
+from planar_planner.command_arguments.limits import options_of
 from planar_planner.commands.scene_input import scene_of
 from planar_planner.output import OutputError, check_writable, complain, emit, written_aside
 from planar_planner.progress import Progress

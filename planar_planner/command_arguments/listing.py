@@ -1,0 +1,22 @@
+"""Arguments of `planar-planner list`."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from planar_planner.command_arguments.shared import add_command
+
+
+def add(commands: Any) -> None:
+    """Add the command."""
+    listing = add_command(
+        commands, "list", "list the built-in scenes with size, expected verdict and origin"
+    )
+    listing.set_defaults(run=_run)
+
+
+def _run(_: argparse.Namespace) -> int:
+    from planar_planner.commands.listing import run
+
+    return run()

@@ -1,0 +1,16 @@
+"""Arguments of `planar-planner solve`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from planar_planner.command_arguments.query import add_query, run
+from planar_planner.command_arguments.shared import add_command, add_plot
+
+
+def add(commands: Any) -> None:
+    """Add the command."""
+    solve = add_command(commands, "solve", "find a path, or prove that there is none")
+    add_query(solve)
+    add_plot(solve, "draw the scene and the result")
+    solve.set_defaults(run=run, verdict_only=False)
