@@ -24,6 +24,7 @@ from matplotlib.path import Path
 from numpy.typing import NDArray
 
 from planar_planner.fields import Box, Configuration
+from planar_planner.motion import equal_steps, reach, travel
 from planar_planner.problem import Polygons, Problem, make_problem, with_query
 from planar_planner.result import Result
 from planar_planner.scene import Scene
@@ -42,7 +43,7 @@ SHORTEST_SIDE = 3.2  # inches; a narrower drawing has no room for its title
 PADDING = 0.12  # inches, round drawing, title and legend
 DPI = 150
 MARGIN = 0.03  # of the greater side, round everything
-GHOST_STEP = 0.6  # between ghosts, in robot radii of motion (translation plus radius times turn)
+GHOST_STEP = 0.6  # between ghosts, in robot radii of travel (planar_planner.motion)
 MAX_GHOSTS = 160
 MANY_OBSTACLES = 300  # from here on outlines would be most of the ink
 
@@ -135,31 +136,6 @@ def placed(paths: Sequence[Path], q: Configuration | Floats) -> list[Path]:
     return [Path(_moved(np.asarray(path.vertices), q), path.codes) for path in paths]
 
 
-def equal_steps(path: Floats, radius: float, step: float) -> Floats:
-    """Return configurations along a path, equally spaced in translation plus radius times turn.
-
-    Parameters
-    ----------
-    path : (N, 3)
-        Waypoints, N >= 2, theta unwrapped.
-    radius : float
-        Length that a turn by one radian counts as.
-    step : float
-        Greatest spacing; rounded down so that the steps come out even.
-
-    Returns
-    -------
-    (M, 3)
-        First and last are the ends of the path.
-    """
-    motion = np.diff(path, axis=0)
-    lengths = np.hypot(motion[:, 0], motion[:, 1]) + radius * np.abs(motion[:, 2])
-    along = np.concatenate([[0.0], np.cumsum(lengths)])
-    count = max(1, int(np.ceil(along[-1] / step)))
-    wanted = np.linspace(0.0, along[-1], count + 1)
-    return np.column_stack([np.interp(wanted, along, path[:, k]) for k in range(3)])
-
-
 def _draw_world(axes: Axes, problem: Problem) -> list[Artist]:
     """Draw workspace, bounds and obstacles, and return their legend entries."""
     keys: list[Artist] = []
@@ -197,10 +173,9 @@ def _draw_path(axes: Axes, problem: Problem, path: Floats) -> list[Artist]:
     if len(path) < 2:
         return []
     robot = polygon_paths(problem.robot)
-    radius = _radius(problem)
-    total = float(np.hypot(*np.diff(path[:, :2], axis=0).T).sum())
-    turned = radius * float(np.abs(np.diff(path[:, 2])).sum())
-    ghosts = equal_steps(path, radius, max(GHOST_STEP * radius, (total + turned) / MAX_GHOSTS))
+    radius = reach(problem.robot)
+    total = float(travel(path, radius)[-1])
+    ghosts = equal_steps(path, radius, max(GHOST_STEP * radius, total / MAX_GHOSTS))
     shades = _fade(len(ghosts))
     outlines = [outline for q in ghosts for outline in placed(robot, q)]
     colours = np.repeat(shades, len(robot), axis=0)
@@ -226,7 +201,7 @@ def _draw_ends(axes: Axes, problem: Problem) -> list[Artist]:
         axes.add_collection(
             PathCollection(outlines, linewidths=1.6, zorder=4, **style), autolim=False
         )
-        tip = np.array(q[:2]) + 0.5 * _radius(problem) * np.array([np.cos(q[2]), np.sin(q[2])])
+        tip = np.array(q[:2]) + 0.5 * reach(problem.robot) * np.array([np.cos(q[2]), np.sin(q[2])])
         axes.plot([q[0], tip[0]], [q[1], tip[1]], color=colour, linewidth=1.4, zorder=6)
         axes.plot(*q[:2], marker="o", markersize=5, color=colour, markeredgecolor="white", zorder=7)
         face = _rgba(colour, 0.45)
@@ -263,7 +238,7 @@ def _view(problem: Problem, path: Floats) -> Box:
         points.append(problem.workspace.coords)
     elif problem.reference_bounds is not None:  # the body may stick out of these
         corners = _corners(problem.reference_bounds)
-        points += [corners - _radius(problem), corners + _radius(problem)]
+        points += [corners - reach(problem.robot), corners + reach(problem.robot)]
     ends = [problem.start, problem.goal]
     points += [_moved(problem.robot.coords, q) for q in ends]
     cloud = np.concatenate(points)
@@ -299,11 +274,6 @@ def _moved(points: Floats, q: Configuration | Floats) -> Floats:
     c, s = np.cos(q[2]), np.sin(q[2])
     turn = np.array([[c, s], [-s, c]])  # rows are points: p R^T
     return np.asarray(points @ turn + np.array(q[:2]))
-
-
-def _radius(problem: Problem) -> float:
-    """Greatest distance of a robot vertex from the reference point."""
-    return float(np.hypot(problem.robot.coords[:, 0], problem.robot.coords[:, 1]).max())
 
 
 def _signed_area(ring: Floats) -> float:

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from matplotlib.collections import PathCollection
 
-from planar_planner.plot import draw_scene, equal_steps, polygon_paths
+from planar_planner.motion import equal_steps
+from planar_planner.plot import draw_scene, polygon_paths
 from planar_planner.problem import make_problem
 from planar_planner.result import NoPath, PathFound, Undecided
 from planar_planner.scene import load_scene
