@@ -6,7 +6,7 @@ C-obstacle query. Knows nothing of planning.
 
 from pdg import sets
 from pdg.depth import generalized_depth_lower_bound, translational_depth
-from pdg.depth_bracket import DepthBracket, bracket
+from pdg.depth_bracket import DepthBracket, DepthBrackets, bracket
 from pdg.distance import PenetrationDistance, penetration_distance
 from pdg.errors import PdgError
 from pdg.motion import (
@@ -40,6 +40,7 @@ __all__ = [
     "ConvexPieces",
     "ConvexSeparators",
     "DepthBracket",
+    "DepthBrackets",
     "DepthLowerBound",
     "DepthLowerBounds",
     "DepthUpperBound",

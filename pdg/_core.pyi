@@ -27,15 +27,15 @@ class PieceSet:
     def arrays(self) -> tuple[NDArray[np.float64], NDArray[np.uint32]]: ...
 
 def translational_depth(a: PieceSet, b: PieceSet, pose: _Triple) -> _Depth: ...
-def bracket_depth(
+def bracket_depths(
     a: PieceSet,
     b: PieceSet,
     separators: SeparatorSet | None,
-    pose: _Triple,
+    poses: NDArray[np.float64],
     rel_tol: float,
     seconds: float,
     nodes: int,
-) -> tuple[float, tuple[float, _Triple], tuple[float, _Triple], int, int, int]: ...
+) -> tuple[int, NDArray[np.float64], NDArray[np.uint64], NDArray[np.uint8]]: ...
 def generalized_depth_lower_bound(
     a: PieceSet, b: PieceSet, pose: _Triple
 ) -> tuple[float, int, int, _Depth]: ...

@@ -15,6 +15,7 @@ from pdg_shapes import blob, convex
 import pdg
 
 SQUARE = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
+HUGE = 1.2e150 * SQUARE
 METHODS = ("published", "displacement", "per-normal")
 
 
@@ -65,6 +66,35 @@ def test_verdicts_are_the_single_ones(method: pdg.query.QueryMethod) -> None:
     assert 10 < full < 390
 
 
+@pytest.mark.parametrize("prepared", [False, True])
+def test_brackets_are_the_single_ones(prepared: bool) -> None:
+    random = np.random.default_rng(25)
+    ends = set()
+    apart = 0
+    for _ in range(5):
+        A, B = pdg.convex_pieces(blob(random, 1)), pdg.convex_pieces(blob(random, 3))
+        fixed = pdg.convex_separators(B) if prepared else B
+        rows = 0.5 * poses(random, 8)
+        for tolerance, most in ((1e-2, None), (1e-9, 20)):
+            many = pdg.bracket(A, fixed, rows, tolerance, node_limit=most)
+            assert isinstance(many, pdg.DepthBrackets)
+            assert list(many) == [
+                pdg.bracket(A, fixed, tuple(q), tolerance, node_limit=most) for q in rows
+            ]
+            assert [b.pose for b in many] == [tuple(q) for q in many.pose.tolist()]
+            ends |= {b.stopped for b in many}
+            apart += (many.hi == 0).sum()
+    assert ends >= {"tolerance", "nodes"}
+    assert 2 < apart < 78
+
+
+def test_a_time_limit_is_for_each_bracket() -> None:
+    notch = [(-6, -6), (6, -6), (6, 2), (1.6, 2), (1.6, -3), (-1.6, -3), (-1.6, 2), (-6, 2)]
+    many = pdg.bracket(SQUARE, notch, np.tile((0.9, -1.0, 0.3), (3, 1)), 0.0, time_limit=0.0)
+    assert many.stopped.tolist() == ["time"] * 3
+    assert (many.lo <= many.hi).all()
+
+
 def test_displacements_are_the_single_ones() -> None:
     random = np.random.default_rng(23)
     body = pdg.convex_pieces(blob(random, 3))
@@ -81,6 +111,7 @@ def test_displacements_are_the_single_ones() -> None:
 def test_empty_batches(empty: object) -> None:
     assert list(pdg.translational_depth(SQUARE, SQUARE, empty)) == []
     assert list(pdg.generalized_depth_lower_bound(SQUARE, SQUARE, empty)) == []
+    assert list(pdg.bracket(SQUARE, SQUARE, empty)) == []
     assert pdg.displacement(SQUARE, empty, (0, 0, 0)).shape == (0,)
     verdicts = pdg.c_obstacle_query(SQUARE, SQUARE, np.zeros((0, 6)))
     assert len(verdicts) == 0
@@ -105,6 +136,13 @@ GOOD = [0.0, 0.0, 0.0]
             "pose",
             1,
             [0.0, 3e150, 0.0],
+            "outside the range",
+        ),
+        (
+            lambda: pdg.bracket(HUGE, HUGE, [[0, 3e150, 0], [0, 2.2e150, 0]], node_limit=0),
+            "pose",
+            1,
+            [0.0, 2.2e150, 0.0],
             "outside the range",
         ),
         (
@@ -178,7 +216,7 @@ def counting_thread() -> Iterator[Callable[[], int]]:
         thread.join()
 
 
-@pytest.mark.parametrize("what", ["depths", "bounds", "queries", "displacements"])
+@pytest.mark.parametrize("what", ["depths", "bounds", "queries", "displacements", "brackets"])
 def test_another_thread_runs_during_a_batch(what: str) -> None:
     random = np.random.default_rng(24)
     a, b = pdg.convex_pieces(convex(random)).core, pdg.convex_pieces(convex(random)).core
@@ -189,6 +227,7 @@ def test_another_thread_runs_during_a_batch(what: str) -> None:
         "bounds": lambda: core.generalized_depth_lower_bounds(a, b, rows),
         "queries": lambda: core.c_obstacle_queries(a, b, boxes, 2),
         "displacements": lambda: core.displacements(a, rows, rows),
+        "brackets": lambda: core.bracket_depths(a, b, None, rows[:200], 1e-2, 1.0, 100),
     }[what]
     with counting_thread() as count:
         while count() == 0:
