@@ -87,16 +87,16 @@ def draw_scene(
         problem = with_query(problem, result.path[0], result.path[-1])
     path = result.path if result is not None and len(result.path) else np.empty((0, 3))
 
-    view = _view(problem, path)
+    view = view_box(problem, path)
     layout = ConstrainedLayoutEngine(w_pad=PADDING, h_pad=PADDING)
     figure = Figure(figsize=_figure_size(view), layout=layout)
     FigureCanvasAgg(figure)
     axes = figure.add_subplot()
-    keys = _draw_world(axes, problem)
+    keys = draw_world(axes, problem)
     keys += _draw_path(axes, problem, path)
-    keys += _draw_ends(axes, problem)
-    _frame(axes, view, outlined=_workspace_path(problem) is not None)
-    axes.set_title(_title(problem.name, result), color=INK, fontsize=12)
+    keys += draw_ends(axes, problem)
+    frame_axes(axes, view, outlined=_workspace_path(problem) is not None)
+    axes.set_title(title_of(problem.name, result), color=INK, fontsize=12)
     figure.legend(handles=keys, loc="outside lower center", ncols=3, frameon=False, fontsize=9)
     if file is not None:
         figure.savefig(file, dpi=DPI)
@@ -136,7 +136,7 @@ def placed(paths: Sequence[Path], q: Configuration | Floats) -> list[Path]:
     return [Path(_moved(np.asarray(path.vertices), q), path.codes) for path in paths]
 
 
-def _draw_world(axes: Axes, problem: Problem) -> list[Artist]:
+def draw_world(axes: Axes, problem: Problem) -> list[Artist]:
     """Draw workspace, bounds and obstacles, and return their legend entries."""
     keys: list[Artist] = []
     room = _workspace_path(problem)
@@ -176,7 +176,7 @@ def _draw_path(axes: Axes, problem: Problem, path: Floats) -> list[Artist]:
     radius = reach(problem.robot)
     total = float(travel(path, radius)[-1])
     ghosts = equal_steps(path, radius, max(GHOST_STEP * radius, total / MAX_GHOSTS))
-    shades = _fade(len(ghosts))
+    shades = fade(len(ghosts))
     outlines = [outline for q in ghosts for outline in placed(robot, q)]
     colours = np.repeat(shades, len(robot), axis=0)
     filled = np.column_stack([colours, np.full(len(colours), 0.10)])
@@ -191,7 +191,7 @@ def _draw_path(axes: Axes, problem: Problem, path: Floats) -> list[Artist]:
     return [ghost, Line2D([], [], color=TRACE, linewidth=1.1, label="path of the reference point")]
 
 
-def _draw_ends(axes: Axes, problem: Problem) -> list[Artist]:
+def draw_ends(axes: Axes, problem: Problem) -> list[Artist]:
     """Draw the robot at start and goal, with its reference point and its heading."""
     robot = polygon_paths(problem.robot)
     keys: list[Artist] = []
@@ -209,7 +209,7 @@ def _draw_ends(axes: Axes, problem: Problem) -> list[Artist]:
     return keys
 
 
-def _frame(axes: Axes, view: Box, *, outlined: bool) -> None:
+def frame_axes(axes: Axes, view: Box, *, outlined: bool) -> None:
     """Set limits, equal scales and labels; a frame only where no workspace is outlined."""
     axes.set_xlim(view[0], view[2])
     axes.set_ylim(view[1], view[3])
@@ -222,14 +222,15 @@ def _frame(axes: Axes, view: Box, *, outlined: bool) -> None:
         spine.set_color(OUTSIDE)
 
 
-def _title(name: str, result: Result | None) -> str:
+def title_of(name: str, result: Result | None) -> str:
+    """Return a picture's title: the scene's name and, if known, the verdict."""
     if result is None:
         return name
     verdicts = {"path": "path found", "no_path": "no path: proven"}
     return f"{name} – {verdicts.get(result.verdict, f'undecided: {result.reason}')}"
 
 
-def _view(problem: Problem, path: Floats) -> Box:
+def view_box(problem: Problem, path: Floats) -> Box:
     """Return the box that the picture shows: where the robot may be, and a margin."""
     points: list[Floats] = [path[:, :2]]
     if problem.workspace_box is not None:
@@ -291,7 +292,7 @@ def _rgba(colour: str, alpha: float) -> tuple[float, float, float, float]:
     return (*_rgb(colour), alpha)
 
 
-def _fade(count: int) -> Floats:
+def fade(count: int) -> Floats:
     """Colours (count, 3) from START by MIDWAY to GOAL."""
     stops = np.array([_rgb(START), _rgb(MIDWAY), _rgb(GOAL)])
     where = np.linspace(0.0, 2.0, count)
