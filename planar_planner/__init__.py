@@ -12,6 +12,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from planar_planner.cells import Cells, cells_of, cells_on_path, theta_slice
     from planar_planner.certificate_form import CertificateError
     from planar_planner.errors import OptionsError, SceneError
     from planar_planner.options import Options
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     __version__: str
 
 _HOMES = {
+    "Cells": "cells",
     "CertificateError": "certificate_form",
     "NoPath": "result",
     "Options": "options",
@@ -34,12 +36,16 @@ _HOMES = {
     "Scene": "scene",
     "SceneError": "errors",
     "Undecided": "result",
+    "cells_of": "cells",
+    "cells_on_path": "cells",
     "load_scene": "scene",
     "solve": "planner",
+    "theta_slice": "cells",
     "verify_certificate": "verify",
 }
 
 __all__ = [
+    "Cells",
     "CertificateError",
     "NoPath",
     "Options",
@@ -51,8 +57,11 @@ __all__ = [
     "Scene",
     "SceneError",
     "Undecided",
+    "cells_of",
+    "cells_on_path",
     "load_scene",
     "solve",
+    "theta_slice",
     "verify_certificate",
 ]
 

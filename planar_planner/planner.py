@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from planar_planner._core import Core
+from planar_planner.cells import Cells, make_cells
 from planar_planner.certificate import make_certificate
 from planar_planner.core import Listener, ask, make_core
 from planar_planner.errors import SceneError
@@ -18,6 +19,8 @@ from planar_planner.placement import check_placements
 from planar_planner.problem import Problem, make_problem, with_query
 from planar_planner.result import Result, Undecided, make_result
 from planar_planner.scene import Scene, load_scene
+
+_SHORT_CUTS = ("cheap", "probe")  # parts that answer before there is a cell (native/parts.hpp)
 
 SceneLike = Scene | str | os.PathLike[str] | Mapping[str, Any]
 
@@ -62,6 +65,10 @@ class Planner:
     ----------
     scene : Scene, str, path or mapping
         A loaded scene, or anything that `load_scene` takes.
+    cells_only : bool, optional
+        Answer by cells even where a straight move, a disc or a first try by random trees would do,
+        so that there are cells to look at. Slower; answers are proven all the same, but some are
+        undecided that are not without it.
 
     Raises
     ------
@@ -69,10 +76,11 @@ class Planner:
         If the scene is not valid.
     """
 
-    def __init__(self, scene: SceneLike) -> None:
+    def __init__(self, scene: SceneLike, *, cells_only: bool = False) -> None:
         self.scene = scene if isinstance(scene, Scene) else load_scene(scene)
         self.problem = make_problem(self.scene)
-        self._core: Core | None = make_core(self.problem)
+        self._without = _SHORT_CUTS if cells_only else ()
+        self._core: Core | None = make_core(self.problem, self._without)
         self._busy = threading.Lock()
 
     def solve(
@@ -111,6 +119,26 @@ class Planner:
         finally:
             self._busy.release()
 
+    def cells(self) -> Cells:
+        """Return the cells that the queries so far have left.
+
+        There are none if no query has needed any: if a straight move, a disc in the robot's place
+        or a first try by random trees has answered. Ask a planner made with ``cells_only=True`` to
+        have them in any case.
+
+        Raises
+        ------
+        RuntimeError
+            If a query of this planner is being answered.
+        """
+        if not self._busy.acquire(blocking=False):
+            raise RuntimeError("a planner answers one query at a time")
+        try:
+            core = self._core or make_core(self.problem, self._without)
+            return make_cells(core.cells())
+        finally:
+            self._busy.release()
+
     def _answer(
         self, query: Problem, limits: Options, listener: Listener | None, certificate: bool
     ) -> Result:
@@ -119,7 +147,7 @@ class Planner:
         It is kept for the next query only if it has answered this one: an exception, of a listener
         or for want of memory, may have left cells half divided.
         """
-        core = self._core or make_core(self.problem)
+        core = self._core or make_core(self.problem, self._without)
         self._core = None
         try:
             check_placements(core, query, limits.contact_tolerance)

@@ -14,6 +14,7 @@
 #include <tuple>
 #include <vector>
 
+#include "bindings_cells.hpp"
 #include "bindings_evidence.hpp"
 #include "bindings_state_check.hpp"
 #include "planner.hpp"
@@ -250,6 +251,7 @@ NB_MODULE(_core, m) {
       .def("check_path", &check_path, nb::arg("path"))
       .def("least_clearance", &planner::Planner::least_clearance,
            nb::call_guard<nb::gil_scoped_release>())
-      .def("evidence", &bindings::evidence);
+      .def("evidence", &bindings::evidence)
+      .def("cells", &bindings::cells);
   bindings::add_state_check(m);
 }

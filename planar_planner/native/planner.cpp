@@ -290,6 +290,10 @@ double Planner::least_clearance() {
   return path_clearance(problem_, *tree_, last_.waypoints);
 }
 
+CellTable Planner::cells() const {
+  return subdivision_ ? tabulate(problem_, *subdivision_) : CellTable{};
+}
+
 Placement Planner::placement(const Configuration& q) {
   return place(problem_, *tree_, *labeller_, q);
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "cell_table.hpp"
 #include "evidence.hpp"
 #include "face.hpp"
 #include "limits.hpp"
@@ -38,6 +39,8 @@ class Planner {
   Evidence evidence();
   // Certified lower bound along the last answer's path, user's units; 0 without a path.
   double least_clearance();
+  // The leaves of the subdivision; none if no query has needed cells.
+  [[nodiscard]] CellTable cells() const;
   // The disc that stood for the robot (ClaimKind::kDisc).
   [[nodiscard]] const Planner& disc_inside() const { return *disc_inside_; }
 
