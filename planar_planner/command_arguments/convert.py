@@ -7,13 +7,21 @@ from pathlib import Path
 from typing import Any
 
 from planar_planner.command_arguments.importing import add_importing
-from planar_planner.command_arguments.shared import add_command, add_scene
+from planar_planner.command_arguments.shared import DONE, add_command, add_scene
 
 
 def add(commands: Any) -> None:
     """Add the command."""
     convert = add_command(
-        commands, "convert", "turn a file in an outside format into a scene file, or back"
+        commands,
+        "convert",
+        "turn a file in an outside format into a scene file, or back",
+        examples=(
+            "convert corner corner.svg",
+            "convert corner.svg corner.json --flatten inwards --tolerance 0.01",
+            "convert gear gear.dxf",
+        ),
+        status=DONE,
     )
     add_scene(convert)
     convert.add_argument(

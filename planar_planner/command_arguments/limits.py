@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from planar_planner.command_arguments.shared import byte_count
+from planar_planner.command_arguments.shared import byte_count, real_number, whole_number
 from planar_planner.options import Options
 
 _DEFAULTS = Options()
@@ -15,7 +15,7 @@ def add_contact_tolerance(command: Any, what: str) -> None:
     """Add the contact tolerance to a parser or group; `what` says what it moves."""
     command.add_argument(
         "--contact-tolerance",
-        type=float,
+        type=real_number,
         metavar="LENGTH",
         default=_DEFAULTS.contact_tolerance,
         help=f"how far {what} off contact (default: %(default)g)",
@@ -27,21 +27,21 @@ def add_limits(command: argparse.ArgumentParser) -> None:
     limits = command.add_argument_group("limits", "reaching one makes the verdict undecided")
     limits.add_argument(
         "--resolution",
-        type=float,
+        type=real_number,
         metavar="FRACTION",
         default=_DEFAULTS.resolution,
         help="smallest cell relative to the scene (default: %(default)g)",
     )
     limits.add_argument(
         "--max-cells",
-        type=int,
+        type=whole_number,
         metavar="N",
         default=_DEFAULTS.max_cells,
         help="cells (default: %(default)s)",
     )
     limits.add_argument(
         "--timeout",
-        type=float,
+        type=real_number,
         metavar="SECONDS",
         default=_DEFAULTS.timeout,
         help="time of the search, or inf (default: %(default)g)",

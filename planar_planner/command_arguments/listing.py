@@ -5,13 +5,17 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from planar_planner.command_arguments.shared import add_command
+from planar_planner.command_arguments.shared import DONE, add_command
 
 
 def add(commands: Any) -> None:
     """Add the command."""
     listing = add_command(
-        commands, "list", "list the built-in scenes with size, expected verdict and origin"
+        commands,
+        "list",
+        "list the built-in scenes with size, expected verdict and origin",
+        examples=("list",),
+        status=DONE,
     )
     listing.set_defaults(run=_run)
 

@@ -16,23 +16,22 @@ from planar_planner.command_arguments import (
     solve,
     verify,
 )
+from planar_planner.command_arguments.command_parser import CommandParser
+from planar_planner.command_arguments.shared import VERDICTS
 
 _COMMANDS = (solve, check, verify, listing, show, compare, convert)  # as help lists them
 
-_EXAMPLES = """\
-examples:
-  planar-planner solve gear --plot gear.png
-  planar-planner check gear-jammed
-  planar-planner solve my_scene.json --start 1,2,0 --goal 8,2,1.5708 --json result.json
-  planar-planner solve gear --certificate gear.cert.json
-  planar-planner verify gear gear.cert.json
-  planar-planner list
-  planar-planner show maze --plot maze.png
-  planar-planner convert map.yaml scene.json --robot robot.wkt --start 1,1,0 --goal 8,5,0
-  planar-planner solve drawing.svg --flatten inwards --tolerance 0.01
-
-exit status: 0 path, 1 no path (proven), 2 bad input or usage, 3 undecided
-of verify:   0 valid, 1 rejected, 2 unreadable"""
+_EXAMPLES = (
+    "list",
+    "solve gear --plot gear.png",
+    "check gear-jammed",
+    "solve corner --start 2.5,0.5,0 --goal 0.5,2.5,-1.5708 --json result.json",
+    "solve gear --certificate gear.cert.json",
+    "verify gear gear.cert.json",
+    "show maze --plot maze.png",
+    "convert corner corner.svg",
+    "solve corner.svg --flatten inwards --tolerance 0.01",
+)
 
 
 class _Version(argparse.Action):
@@ -46,13 +45,12 @@ class _Version(argparse.Action):
 
 def make_parser() -> argparse.ArgumentParser:
     """Return the parser; each command sets ``run``, a function of the parsed arguments."""
-    parser = argparse.ArgumentParser(
+    parser = CommandParser(
         prog="planar-planner",
-        description="Complete motion planning for polygonal robots in the plane: a certified path, "
-        "a proof that there is none, or an honest undecided.",
-        epilog=_EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        allow_abbrev=False,
+        description="Complete motion planning for polygonal robots in the plane:\n"
+        "a certified path, a proof that there is none, or an honest undecided.",
+        examples=_EXAMPLES,
+        status=f"{VERDICTS};\n  each command's --help has its own",
     )
     parser.add_argument("--version", action=_Version, nargs=0, help="show the version and exit")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)

@@ -4,18 +4,39 @@ from __future__ import annotations
 
 import argparse
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from planar_planner.command_arguments.command_parser import CommandParser
+
 PLOT_SUFFIXES = (".png", ".svg", ".pdf")
+
+DONE = "0 done, 2 bad input or usage"
+VERDICTS = "0 path, 1 no path (proven), 2 bad input or usage, 3 undecided"
 
 _UNITS = {"": 1, "K": 2**10, "M": 2**20, "G": 2**30, "T": 2**40}
 
 
-def add_command(commands: Any, name: str, summary: str) -> argparse.ArgumentParser:
-    """Add a command and return its parser."""
-    command: argparse.ArgumentParser = commands.add_parser(
-        name, help=summary, description=summary, allow_abbrev=False
+def add_command(
+    commands: Any, name: str, summary: str, *, examples: Sequence[str], status: str
+) -> CommandParser:
+    """Add a command and return its parser.
+
+    Parameters
+    ----------
+    commands : what `argparse.ArgumentParser.add_subparsers` returns
+    name : str
+        As the user types it.
+    summary : str
+        One line: what the command does.
+    examples : sequence of str
+        Command lines without the program's name, shown in the command's help; see `CommandParser`.
+    status : str
+        What the exit statuses mean.
+    """
+    command: CommandParser = commands.add_parser(
+        name, help=summary, description=summary, examples=examples, status=status
     )
     return command
 
@@ -41,6 +62,22 @@ def add_json(command: argparse.ArgumentParser, what: str) -> None:
     command.add_argument(
         "--json", metavar="FILE", help=f"write {what} as JSON; - for standard output"
     )
+
+
+def whole_number(text: str) -> int:
+    """Return the integer that a text states."""
+    try:
+        return int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number") from None
+
+
+def real_number(text: str) -> float:
+    """Return the number that a text states; ``inf`` and ``nan`` are left to who uses it."""
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
 
 
 def byte_count(text: str) -> int:

@@ -6,12 +6,18 @@ import argparse
 from typing import Any
 
 from planar_planner.command_arguments.importing import add_importing
-from planar_planner.command_arguments.shared import add_command, add_plot, add_scene
+from planar_planner.command_arguments.shared import DONE, add_command, add_plot, add_scene
 
 
 def add(commands: Any) -> None:
     """Add the command."""
-    show = add_command(commands, "show", "describe a scene, and draw it, without solving it")
+    show = add_command(
+        commands,
+        "show",
+        "describe a scene, and draw it, without solving it",
+        examples=("show gear", "show maze --plot maze.png"),
+        status=DONE,
+    )
     add_scene(show)
     add_importing(show)
     add_plot(show, "draw the scene")

@@ -12,7 +12,16 @@ from planar_planner.command_arguments.shared import add_command, add_json, add_s
 
 def add(commands: Any) -> None:
     """Add the command."""
-    verify = add_command(commands, "verify", "check a certificate with independent, exact code")
+    verify = add_command(
+        commands,
+        "verify",
+        "check a certificate with independent, exact code",
+        examples=(
+            "solve gear-jammed --certificate jammed.json.gz",
+            "verify gear-jammed jammed.json.gz",
+        ),
+        status="0 valid, 1 rejected, 2 unreadable, or bad input or usage",
+    )
     add_scene(verify)
     verify.add_argument("certificate", metavar="CERT", help="what solve --certificate has written")
     add_importing(verify)

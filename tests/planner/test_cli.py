@@ -114,8 +114,9 @@ def test_usage_errors(capsys: pytest.CaptureFixture[str], arguments: list[str]) 
     assert main(arguments) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
-    assert "usage: planar-planner" in captured.err
-    assert "Traceback" not in captured.err
+    assert captured.err.startswith("planar-planner")
+    assert captured.err.endswith("--help)\n")
+    assert captured.err.count("\n") == 1
 
 
 def test_options_out_of_range(

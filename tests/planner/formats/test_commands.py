@@ -101,7 +101,7 @@ def test_compare_takes_them_too(
         (["--role", "x=wall"], "'x=wall' is not PATTERN=ROLE"),
         (["--tolerance", "-1"], "'-1' is not a positive length"),
         (["--padding", "wide"], "'wide' is not a positive length"),
-        (["--flatten", "sideways"], "invalid choice: 'sideways'"),
+        (["--flatten", "sideways"], "unknown value 'sideways'"),
         (["--robot", "none.rob"], "none.rob: cannot read"),
         (["--footprint", "[[0,0]]"], "--footprint"),
         (["--footprint", "[[0,0]]", "--robot", "r.rob"], "not both"),
