@@ -148,12 +148,13 @@ def generalized_distance_bounds(body: Any, q0: Any, q1: Any) -> DistanceBracket 
     """Return a lower and an upper bound of the generalized distance D_g(q0, q1).
 
     D_g is the least, over all motions from q0 to q1, of the longest path of a body point ([PDG]
-    Eq. 2). With w = |dtheta| modulo full turns, k = 2 sin(w / 2), and rho the radius of the
-    smallest circle round the body, D_g >= max(DISP, w rho), and for every point c of the body's
-    frame D_g^2 <= max over vertices v of |dv|^2 + (w^2 - k^2) |v - c|^2; the best c is taken. The
-    upper bound is at most |dc| + w max |v - c| for every c ([PDG] Eq. 4), at most the arc about the
-    pole of the relative motion, and at most sqrt(2 - (k / w)^2) times the lower bound: a factor of
-    1.012 at 30 degrees, 1.091 at 90 and 1.263 at 180. Proofs: docs/pdg.md.
+    Eq. 2). With ``w = |dtheta|`` modulo full turns, ``k = 2 sin(w / 2)``, and rho the radius of the
+    smallest circle round the body, ``D_g >= max(DISP, w rho)``, and for every point c of the body's
+    frame D_g^2 is at most the maximum over vertices v of ``|dv|^2 + (w^2 - k^2) |v - c|^2``; the
+    best c is taken. The upper bound is at most ``|dc| + w max |v - c|`` for every c ([PDG] Eq. 4),
+    at most the arc about the pole of the relative motion, and at most ``sqrt(2 - (k / w)^2)`` times
+    the lower bound: a factor of 1.012 at 30 degrees, 1.091 at 90 and 1.263 at 180. Proofs:
+    docs/pdg.md.
 
     Parameters
     ----------

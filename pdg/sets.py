@@ -84,7 +84,7 @@ class ConvexSet:
 
 
 class Ellipsoid(ConvexSet):
-    """{centre + axes x : |x| <= 1}, with h(u) = centre·u + |axesᵀ u|.
+    """``{centre + axes x : |x| <= 1}``, with ``h(u) = centre·u + |axesᵀ u|``.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ class Ellipsoid(ConvexSet):
 
 
 class Ball(Ellipsoid):
-    """{x : |x - centre| <= radius}, with h(u) = centre·u + radius |u|.
+    """``{x : |x - centre| <= radius}``, with ``h(u) = centre·u + radius |u|``.
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ class Ball(Ellipsoid):
 
 
 class Box(ConvexSet):
-    """{centre + x : |x_i| <= half_extents_i}, with h(u) = centre·u + Σ half_extents_i |u_i|.
+    """``{centre + x : |x_i| <= half_extents_i}``; ``h(u) = centre·u + Σ half_extents_i |u_i|``.
 
     Parameters
     ----------
@@ -147,7 +147,7 @@ class Box(ConvexSet):
 
 
 class CrossPolytope(ConvexSet):
-    """The convex hull of centre ± radii_i e_i, with h(u) = centre·u + max radii_i |u_i|.
+    """The convex hull of ``centre ± radii_i e_i``; ``h(u) = centre·u + max radii_i |u_i|``.
 
     Parameters
     ----------

@@ -70,6 +70,14 @@ def anchors(page: Path) -> set[str]:
     return {re.sub(r"[^\w\- ]", "", h.lower()).replace(" ", "-") for h in headings}
 
 
+def test_every_page_is_in_the_navigation() -> None:
+    docs = ROOT / "docs"
+    index = (docs / "index.md").read_text(encoding="utf-8")
+    listed = set(re.findall(r"^[\w/-]+$", index, re.MULTILINE))
+    pages = {page.relative_to(docs).with_suffix("").as_posix() for page in docs.rglob("*.md")}
+    assert pages - {"index"} <= listed, "name it in a toctree of docs/index.md"
+
+
 def test_every_statistic_is_explained() -> None:
     method = (ROOT / "docs" / "method.md").read_text(encoding="utf-8")
     section = method.partition("## Statistics")[2].partition("\n## ")[0]
