@@ -69,6 +69,9 @@ def large_query(gates: int) -> dict[str, Any]:
 
 def main() -> None:
     """Be that process."""
+    from provenance import make_scenarios_importable
+
+    make_scenarios_importable()
     from target_scenes import jammed_gates
 
     from planar_planner import Options, solve

@@ -22,8 +22,14 @@ ROOT = Path(__file__).resolve().parents[1]
 RESULTS = Path(__file__).parent / "results"
 SOURCES = ("pdg", "planar_planner", "CMakeLists.txt")
 
-if str(ROOT) not in sys.path:
-    sys.path.append(str(ROOT))
+
+def make_scenarios_importable() -> None:
+    """Append the checkout to the places where modules are looked for, once."""
+    if str(ROOT) not in sys.path:
+        sys.path.append(str(ROOT))
+
+
+make_scenarios_importable()
 
 
 def use_one_core() -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-import provenance  # noqa: F401  (makes scenarios importable)
 from timing import Measured, measure
 
 from planar_planner import Options

@@ -1,3 +1,1 @@
 """Parts of ``bench/depth_accuracy.py``: bodies, and oracles that share nothing with the library."""
-
-import provenance  # noqa: F401  (makes scenarios importable)

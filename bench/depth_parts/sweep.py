@@ -9,6 +9,7 @@ from functools import partial
 from itertools import pairwise
 from typing import NamedTuple
 
+import shapely
 from depth_models import Model
 from timing import Spread, repetitions
 
@@ -175,6 +176,5 @@ def _milliseconds(seconds: Sequence[float]) -> tuple[float, float, float]:
     return spread.median, spread.lower, spread.upper
 
 
-def _vertices(body: object) -> int:
-    rings = [body.exterior, *body.interiors]  # type: ignore[attr-defined]
-    return sum(len(ring.coords) - 1 for ring in rings)
+def _vertices(body: shapely.Polygon) -> int:
+    return sum(len(ring.coords) - 1 for ring in (body.exterior, *body.interiors))

@@ -1,3 +1,5 @@
 """Parts of ``bench/error_time.py``: families with their truths, sweeps, curves, fits, pictures."""
 
-import provenance  # noqa: F401  (makes scenarios importable)
+from provenance import make_scenarios_importable
+
+make_scenarios_importable()

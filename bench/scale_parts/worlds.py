@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 import random
 
-import provenance  # noqa: F401  (makes scenarios importable)
-
 from scenarios.model import Geometry, Scene, box, polygon, regular_ring, scene
 
 SEED = 3
