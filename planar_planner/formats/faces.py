@@ -11,7 +11,7 @@ from __future__ import annotations
 import itertools
 from collections import Counter, defaultdict, deque
 from collections.abc import Sequence
-from functools import cmp_to_key
+from functools import cmp_to_key, partial
 
 from planar_planner.errors import SceneError
 from planar_planner.formats.exact import (
@@ -141,7 +141,7 @@ def _walks(jumps: dict[Edge, int]) -> list[list[Point]]:
         neighbours[a].append(b)
     following: dict[Edge, Edge] = {}
     for centre, ends in neighbours.items():
-        ordered = sorted(ends, key=cmp_to_key(lambda p, q, c=centre: _by_angle(c, p, q)))  # type: ignore[misc]
+        ordered = sorted(ends, key=cmp_to_key(partial(_by_angle, centre)))
         for k, end in enumerate(ordered):  # arriving from `end`, leave by the next one clockwise
             following[end, centre] = (centre, ordered[k - 1])
     walks = []

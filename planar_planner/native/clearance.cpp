@@ -49,8 +49,9 @@ class Probe {
   // The same, but of polygons that nobody has decomposed their hulls, if those are far enough.
   double at_about(const double s, const double cap) {
     const double far = kFarHull * problem_.robot.reach;
+    const pdg::Motion rest = motion_along(problem_, from_, to_, {s, s});
     const auto of_hull = [&](const std::uint32_t node) {
-      const double gap = hull_separation(node, s);
+      const double gap = hull_separation(node, rest);
       return gap >= far ? gap : INFINITY;
     };
     return nearest(cap, [&](const double within) { return over({s, s}, within, of_hull); });
@@ -83,14 +84,14 @@ class Probe {
     return std::max(least, 0.0);
   }
 
-  // Of the robot, posed for this configuration, from the hull of the polygon that the node is.
-  double hull_separation(const std::uint32_t node, const double s) {
+  // Of the robot, which `over` has posed for this configuration, from the hull of the polygon that
+  // the node is.
+  double hull_separation(const std::uint32_t node, const pdg::Motion& rest) {
     const pdg::ConvexPiece* const hull = tree_.hull(node);
     if (hull == nullptr) return -INFINITY;
-    const pdg::Motion motion = motion_along(problem_, from_, to_, {s, s});
     double least = INFINITY;
     for (std::size_t i = 0; i < problem_.robot.body_pieces(); ++i)
-      least = std::min(least, pair_separation(posed_piece(problem_.robot, posed_, i), *hull, motion,
+      least = std::min(least, pair_separation(posed_piece(problem_.robot, posed_, i), *hull, rest,
                                               INFINITY, axes_));
     return least;
   }

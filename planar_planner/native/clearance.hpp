@@ -22,7 +22,9 @@ struct ClearanceBounds {
 ClearanceBounds bound_clearance(const Problem& problem, ObstacleTree& tree,
                                 const std::vector<Pose>& path, double tolerance, int intervals);
 
-// The least clearance at the segments' middles: an upper bound, cheap.
+// An estimate of the least clearance, cheap, and no bound: at the segments' middles only, so it may
+// be too large; from the hulls of polygons that nobody has decomposed, where those are far enough,
+// so it may be too small.
 double sampled_clearance(const Problem& problem, ObstacleTree& tree, const std::vector<Pose>& path);
 
 }  // namespace planner

@@ -60,9 +60,10 @@ Answer Planner::solve(const Configuration& start, const Configuration& goal, con
   Query query(start, goal, limits, listener);
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
+  CollisionHint hint(problem_, *tree_);
   const bool cheap = problem_.parts.cheap;
-  if (!ends_not_free(query) && !(cheap && (cheap_move(query) || disc_answer(query))) &&
-      !(problem_.parts.probe && probe(query)))
+  if (!ends_not_free(query) && !(cheap && (cheap_move(query, hint) || disc_answer(query))) &&
+      !(problem_.parts.probe && probe(query, hint)))
     subdivide(query);
   confirm_absence(query, start, goal);
   remember(query, start, goal);
@@ -99,7 +100,7 @@ bool Planner::ends_not_free(Query& query) {
 }
 
 // Straight, then by two legs: turn and move, in either order.
-bool Planner::cheap_move(Query& query) {
+bool Planner::cheap_move(Query& query, CollisionHint& hint) {
   const Stopwatch watch(statistics_.seconds.path);
   const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
   const Configuration& s = query.start;
@@ -107,7 +108,6 @@ bool Planner::cheap_move(Query& query) {
   g.theta = problem_.rotation ? nearest_turn(g.theta, s.theta) : s.theta;
   const std::vector<std::vector<Configuration>> tries = {
       {s, g}, {s, {s.x, s.y, g.theta}, g}, {s, {g.x, g.y, s.theta}, g}};
-  CollisionHint hint(problem_, *tree_);
   for (const std::vector<Configuration>& path : tries)
     if (!looks_blocked(problem_, hint, path) &&
         !first_uncertified(problem_, *segments_, path, stop))
@@ -122,13 +122,13 @@ bool Planner::conclude_path(Query& query, std::vector<Configuration> path, const
 }
 
 // Two random trees, of whose path only its certificate is believed.
-bool Planner::probe(Query& query) {
+bool Planner::probe(Query& query, CollisionHint& hint) {
   const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
-  CollisionHint hint(problem_, *tree_);
+  const std::uint64_t calls_before = hint.calls();
   const std::size_t obstacles = problem_.scene.obstacles.size();
   const RrtConnect::Budget budget{
       std::min(kProbeChecks + kProbeChecksPerObstacle * obstacles, kMostProbeChecks),
-      std::min(kProbeWork + kProbeWorkPerObstacle * obstacles, kMostProbeWork)};
+      std::min(kProbeWork + kProbeWorkPerObstacle * obstacles, kMostProbeWork) + hint.work()};
   RrtConnect trees(problem_, hint, budget, query.start, query.goal);
   const std::uint64_t by_discs = statistics_.probe_checks;
   double spacing = kProbeSpacing * problem_.robot.reach;
@@ -137,7 +137,7 @@ bool Planner::probe(Query& query) {
     {
       const Stopwatch watch(statistics_.seconds.probe);
       path = trees.find(spacing, stop);
-      statistics_.probe_checks = by_discs + hint.calls();
+      statistics_.probe_checks = by_discs + hint.calls() - calls_before;
     }
     if (path.empty()) return false;
     const Stopwatch watch(statistics_.seconds.path);

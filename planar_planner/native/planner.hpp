@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cell_table.hpp"
+#include "collision.hpp"
 #include "evidence.hpp"
 #include "face.hpp"
 #include "limits.hpp"
@@ -46,8 +47,8 @@ class Planner {
 
  private:
   bool ends_not_free(Query& query);
-  bool cheap_move(Query& query);
-  bool probe(Query& query);
+  bool cheap_move(Query& query, CollisionHint& hint);
+  bool probe(Query& query, CollisionHint& hint);
   bool disc_answer(Query& query);
   Answer ask_disc(Planner& disc, Query& query);
   bool conclude_path(Query& query, std::vector<Configuration> path, const char* by);

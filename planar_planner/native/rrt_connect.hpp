@@ -19,7 +19,7 @@ class RrtConnect {
  public:
   struct Budget {
     std::uint64_t checks;             // configurations that the hint may be asked about
-    std::uint64_t work = UINT64_MAX;  // and what that may cost (CollisionHint::work)
+    std::uint64_t work = UINT64_MAX;  // and up to which CollisionHint::work
   };
 
   RrtConnect(const Problem& problem, CollisionHint& hint, const Budget& budget,
