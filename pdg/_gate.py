@@ -7,16 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pdg import _core
+from pdg._constants import MAX_SET_COORDINATE, MIN_SET_COORDINATE
 from pdg.errors import PdgError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 Triple = tuple[float, float, float]
-
-# Squares and products of a few such numbers neither over- nor underflow.
-MIN_SET_COORDINATE = 1e-60
-MAX_SET_COORDINATE = 1e60
 
 
 def ring(value: object, name: str) -> NDArray[np.float64]:
@@ -127,7 +124,8 @@ def coordinates(
     if not sane.all():
         row = int(np.argwhere(~sane)[0][0])
         problem = (
-            f"must be finite, and 0 or between {smallest:g} and {MAX_SET_COORDINATE:g} in magnitude"
+            "must be finite, and 0 or between "
+            f"{smallest:.3g} and {MAX_SET_COORDINATE:.3g} in magnitude"
         )
         raise PdgError(problem, name, row, array[row].tolist())
     return np.ascontiguousarray(array)

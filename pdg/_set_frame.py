@@ -12,17 +12,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pdg import _core
+from pdg._constants import FLATNESS_UNITS, MOST_ROUNDS, ROUND_ENOUGH, ROUND_ENOUGH_ALONG_AXES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-# Ratio of the greatest to the least width up to which a set is left as it is: rounding then costs
-# the bounds two digits at most.
-ROUND_ENOUGH = 64.0
-# A set is flat along u if its width is at most this many times what rounding may make of 0.
-FLATNESS_UNITS = 8.0
-# Each round makes a set rounder, or finds it flat; two or three do.
-MOST_ROUNDS = 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +81,7 @@ def _axis_factors(core: _core.ConvexSet) -> NDArray[np.float64]:
     thick = widths > FLATNESS_UNITS * rounding
     if not thick.any():
         return np.ones(core.dimension)
-    if thick.all() and widths.max() <= ROUND_ENOUGH / 4 * widths.min():
+    if thick.all() and widths.max() <= ROUND_ENOUGH_ALONG_AXES * widths.min():
         return np.ones(core.dimension)
     widths = np.where(thick, widths, widths[thick].max())
     factors: NDArray[np.float64] = np.exp2(-np.round(np.log2(widths)))

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from pdg import _core, _gate
+from pdg._constants import MAX_SET_COORDINATE
 from pdg._set_frame import Frame, frame_of
 from pdg.errors import PdgError
 from pdg.sets import SupportSet, as_convex_set
@@ -190,8 +191,8 @@ def _check_sets(a: _core.ConvexSet, q: _core.ConvexSet) -> None:
         raise PdgError(f"expected dimension {a.dimension}, that of A", "Q", value=q.dimension)
     for core, name in ((a, "A"), (q, "Q")):
         largest = max(core.magnitude())
-        if not largest <= _gate.MAX_SET_COORDINATE:
-            problem = f"must extend to {_gate.MAX_SET_COORDINATE:g} at most"
+        if not largest <= MAX_SET_COORDINATE:
+            problem = f"must extend to {MAX_SET_COORDINATE:.3g} at most"
             raise PdgError(problem, name, value=largest)
     if not any(q.magnitude()):
         raise PdgError("is the origin alone: any multiple of it is in A", "Q")

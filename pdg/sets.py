@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 import numpy as np
 
 from pdg import _core, _gate
+from pdg._constants import ACCURACY_SHARES, MIN_SET_COORDINATE, SUPPORT_ACCURACY
 from pdg.errors import PdgError
 
 if TYPE_CHECKING:
@@ -257,7 +258,7 @@ class Scaled(ConvexSet):
         super().__init__(_core.scaled(float(number), as_convex_set(inner, "inner").core))
 
 
-def as_convex_set(value: Any, name: str, accuracy: float = 1e-12) -> ConvexSet:
+def as_convex_set(value: Any, name: str, accuracy: float = SUPPORT_ACCURACY) -> ConvexSet:
     """Return the compiled set that `value` is, or one that asks `value` through its protocol.
 
     Parameters
@@ -303,8 +304,7 @@ class _Asked:
         value = float(_gate.coordinates([answer[0]], self.name, 1, 0.0)[0])
         point = _vector(answer[1], self.name, len(u), 0.0)
         if self.magnitude is not None:
-            # The point, the value and this product: three times the promised accuracy at most.
-            slack = 3 * self.accuracy * float(np.abs(u) @ self.magnitude)
+            slack = ACCURACY_SHARES * self.accuracy * float(np.abs(u) @ self.magnitude)
             if abs(float(u @ point) - value) > slack:
                 problem = "u·s(u) differs from h(u) by more than the accuracy promised"
                 raise PdgError(problem, self.name, value=(value, float(u @ point)))
@@ -341,7 +341,7 @@ def _not_negative(value: ArrayLike, name: str) -> NDArray[np.float64]:
 
 
 def _vector(
-    value: ArrayLike, name: str, size: int, smallest: float = _gate.MIN_SET_COORDINATE
+    value: ArrayLike, name: str, size: int, smallest: float = MIN_SET_COORDINATE
 ) -> NDArray[np.float64]:
     numbers = _gate.coordinates(value, name, 1, smallest)
     if len(numbers) != size:

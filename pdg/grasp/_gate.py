@@ -6,18 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pdg._constants import MAX_GRASP_MAGNITUDE, MIN_GRASP_MAGNITUDE
 from pdg.errors import PdgError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-# Sine of the least angle between a normal and a direction that is to be projected into the contact
-# plane: the projection then keeps half of the digits of a double.
-LEAST_TANGENT_SINE = 1e-8
-
-# Products of a few such numbers neither over- nor underflow.
-MIN_MAGNITUDE = 1e-20
-MAX_MAGNITUDE = 1e20
 
 
 def vector(value: object, name: str, sizes: tuple[int, ...]) -> NDArray[np.float64]:
@@ -68,11 +61,13 @@ def array(value: object, name: str) -> NDArray[np.float64]:
     numbers = given.astype(np.float64)
     magnitude = np.abs(numbers)
     # Negated, so that NaN fails too.
-    bad = ~((magnitude == 0) | ((magnitude >= MIN_MAGNITUDE) & (magnitude <= MAX_MAGNITUDE)))
+    sane = (magnitude >= MIN_GRASP_MAGNITUDE) & (magnitude <= MAX_GRASP_MAGNITUDE)
+    bad = ~((magnitude == 0) | sane)
     if bad.any():
         first = tuple(np.argwhere(bad)[0])
         problem = (
-            f"must be finite, and 0 or between {MIN_MAGNITUDE:g} and {MAX_MAGNITUDE:g} in magnitude"
+            f"must be finite, and 0 or between {MIN_GRASP_MAGNITUDE:.3g} and "
+            f"{MAX_GRASP_MAGNITUDE:.3g} in magnitude"
         )
         raise PdgError(problem, name, int(first[0]) if first else None, float(numbers[first]))
     return frozen(numbers)

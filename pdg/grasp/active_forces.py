@@ -12,14 +12,10 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from pdg._constants import RANK_TOLERANCE
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-# Singular values below this part of the largest that there could be count as zero, and so does a Δ
-# this close to 0. Jacobians carry some ten roundings a joint, 1e-14 at most for ten joints;
-# poses from inverse kinematics are good to some 1e-12. A larger value would take joints that move a
-# tip by 1e-9 of their reach for locked; a smaller one would let rounding raise the dimension.
-RANK_TOLERANCE = 1e-9
 
 ForceCase = Literal["none", "point", "ellipsoid"]
 

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from pdg._constants import LEAST_TANGENT_SINE
 from pdg.errors import PdgError
 from pdg.grasp import _gate
 
@@ -165,7 +166,7 @@ def _tangents(n: NDArray[np.float64], tangent: Any) -> NDArray[np.float64]:
     else:
         wanted = _gate.unit(tangent, "tangent", 3)
         o = wanted - (n @ wanted) * n
-        if np.linalg.norm(o) < _gate.LEAST_TANGENT_SINE:
+        if np.linalg.norm(o) < LEAST_TANGENT_SINE:
             raise PdgError("must not be along the normal", "tangent", value=wanted.tolist())
         o = o - (n @ o) * n  # once more: the first difference may have cancelled
     o = o / np.linalg.norm(o)

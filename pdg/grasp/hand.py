@@ -210,7 +210,7 @@ def active_wrench_set(
     WrenchSet or None
         Its `basis` spans the minimal subspace; where coordinate axes of wrench space span that, it
         is these. None if no finger has an active force. Ranks are decided in plain doubles, see
-        `pdg.grasp.active_forces.RANK_TOLERANCE`.
+        `pdg._constants.RANK_TOLERANCE`.
 
     Raises
     ------

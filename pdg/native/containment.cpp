@@ -5,14 +5,12 @@
 #include <cstddef>
 #include <numbers>
 
+#include "tolerances.hpp"
+
 namespace pdg {
 namespace {
 
 using Interval = ContainmentScratch::Interval;
-
-// First and last step of the local search, of a body point relative to the bound.
-constexpr double kFirstStep = 1e-2;
-constexpr double kLastStep = 1e-9;
 
 // Intervals to begin with. Two or more keep half-widths within a quarter turn, which lowest_support
 // needs.
@@ -176,7 +174,7 @@ class Search {
   // Steps to either side of the best angle, halved when neither is better.
   void refine() {
     const double angle = bound_ / body_.circle.radius;  // that moves some point by the bound
-    for (double step = kFirstStep * angle; step > kLastStep * angle;) {
+    for (double step = kFirstTurnStep * angle; step > kLastTurnStep * angle;) {
       const double turn = best_turn_;
       if (!try_angle(turn - step) && !try_angle(turn + step)) step *= 0.5;
     }

@@ -48,9 +48,6 @@ struct Placement {
   double displacement = std::numeric_limits<double>::infinity();
 };
 
-// Relative to the bound: how close branch and bound comes to the least DISP.
-inline constexpr double kContainmentTolerance = 1e-3;
-
 struct ContainmentScratch {
   struct Interval {
     double lower = 0.0;   // no placement at these angles has a smaller DISP

@@ -1,19 +1,16 @@
 #include "convex_bodies.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
+
+#include "vectors.hpp"
 
 namespace pdg {
 namespace {
 
 using View = std::span<const double>;
-
-double dot(const View a, const View b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 std::vector<double> reach(const View centre, const View extents) {
   if (centre.size() != extents.size()) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tolerances.hpp"
+#include "vectors.hpp"
 
 namespace pdg {
 namespace {
@@ -132,12 +133,6 @@ std::vector<double> image_error(const Matrix& map, const View offset, const Conv
     }
   }
   return error;
-}
-
-double dot(const View a, const View b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
 }
 
 class AffineImage final : public ConvexSet {

@@ -18,21 +18,9 @@
 
 #include "convex_set.hpp"
 #include "tolerances.hpp"
+#include "vectors.hpp"
 
 namespace pdg {
-
-// sum |m_i| weight_i.
-inline double weighted_norm(const std::span<const double> m, const std::span<const double> weight) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < m.size(); ++i) sum += std::abs(m[i]) * weight[i];
-  return sum;
-}
-
-inline double dot(const std::span<const double> a, const std::span<const double> b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 // Per coordinate, a bound of |x_i| over the computed points of A. Nearer than magnitude(), which a
 // composite set adds up from its parts.

@@ -7,16 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "vectors.hpp"
+
 namespace pdg {
 namespace {
 
 using View = std::span<const double>;
-
-double dot(const View a, const View b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 View column(const ContactWrenches& w, const std::size_t contact, const std::size_t j) {
   const std::size_t first = (contact * (1 + w.axes) + j) * w.dimension;

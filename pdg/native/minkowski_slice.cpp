@@ -16,12 +16,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double least_along(const Vec2 normal, const std::span<const Vec2> vertices) {
-  double least = kInfinity;
-  for (const Vec2 v : vertices) least = std::min(least, dot(normal, v));
-  return least;
-}
-
 // Part of a line.
 struct Stretch {
   double low = -kInfinity;

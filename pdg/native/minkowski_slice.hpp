@@ -17,7 +17,9 @@
 // thin, are taken for free.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,6 +42,13 @@ struct SlicePiece {
   std::span<const Vec2> normals;   // outward unit normal of the edge from vertex k to k + 1
   Box box;
 };
+
+// min over v of normal . v.
+inline double least_along(const Vec2 normal, const std::span<const Vec2> vertices) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec2 v : vertices) least = std::min(least, dot(normal, v));
+  return least;
+}
 
 struct ObstacleSlice {
   struct Polygon {

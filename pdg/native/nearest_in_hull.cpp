@@ -5,15 +5,10 @@
 #include <utility>
 
 #include "tolerances.hpp"
+#include "vectors.hpp"
 
 namespace pdg {
 namespace {
-
-double dot(const std::span<const double> a, const std::span<const double> b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 // Weights of the affine hull's point nearest to the origin: (G + s 1 1^T) x = 1 scaled to sum 1, G
 // the points' inner products and s their scale; by Cholesky. None if G is singular to rounding.

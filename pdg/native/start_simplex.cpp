@@ -1,26 +1,17 @@
 #include "start_simplex.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <span>
 #include <utility>
 
 #include "nearest_in_hull.hpp"
 #include "tolerances.hpp"
+#include "vectors.hpp"
 
 namespace pdg {
 namespace {
 
 using View = std::span<const double>;
-
-double dot(const View a, const View b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-double norm(const View a) {
-  return std::sqrt(dot(a, a));
-}
 
 // Orthonormal directions found so far.
 class Basis {
@@ -111,9 +102,7 @@ StartSimplex extended(const ConvexSet& set, const Corral& corral) {
 }  // namespace
 
 double rounding_along(const ConvexSet& set, const View u) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < u.size(); ++i) sum += std::abs(u[i]) * set.error()[i];
-  return sum;
+  return weighted_norm(u, set.error());
 }
 
 StartSimplex start_simplex(const ConvexSet& set) {

@@ -135,6 +135,18 @@ inline constexpr double kSeenHeight = 0x1p-40;
 // search starts.
 inline constexpr double kSingularPivotUnits = 16.0;
 
+// How close, relative to the bound, branch and bound over the angle comes to the least DISP at
+// which a container is entered: what is documented as one part in a thousand. No bound depends on
+// it; halving it costs one more level of angles.
+inline constexpr double kContainmentTolerance = 0x1p-10;
+// Steps of the local search that follows, as motion of a body point relative to the bound. Branch
+// and bound leaves the best angle off by its tolerance where DISP has a kink, by the square root of
+// it, 2^-5, where DISP is smooth; the first step lies between, and is repeated as long as it helps.
+// Steps below the square root of u (2^-26) no longer change a smooth minimum; the last leaves room
+// for flat kinks.
+inline constexpr double kFirstTurnStep = 0x1p-7;
+inline constexpr double kLastTurnStep = 0x1p-30;
+
 // Steps of the GJK start before the hull goes on from what it has; ten times what was ever seen.
 inline constexpr int kMostStartSteps = 1000;
 

@@ -2,21 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "motion.hpp"
 #include "tolerances.hpp"
 
 namespace pdg {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double least_along(const Vec2 normal, const std::span<const Vec2> vertices) {
-  double least = kInfinity;
-  for (const Vec2 v : vertices) least = std::min(least, dot(normal, v));
-  return least;
-}
 
 // The rotation that takes the unit vector `from` to `to`, if it is within the turn.
 bool faces(const Vec2 from, const Vec2 to, const Turn& turn, Rotation& by) {
