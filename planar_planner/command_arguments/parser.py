@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from planar_planner.command_arguments import (
+    animate,
     check,
     compare,
     convert,
@@ -19,7 +20,7 @@ from planar_planner.command_arguments import (
 from planar_planner.command_arguments.command_parser import CommandParser
 from planar_planner.command_arguments.shared import VERDICTS
 
-_COMMANDS = (solve, check, verify, listing, show, compare, convert)  # as help lists them
+_COMMANDS = (solve, check, verify, listing, show, animate, compare, convert)  # as help lists them
 
 _EXAMPLES = (
     "list",
@@ -29,6 +30,7 @@ _EXAMPLES = (
     "solve gear --certificate gear.cert.json",
     "verify gear gear.cert.json",
     "show maze --plot maze.png",
+    "animate gear gear.gif",
     "convert corner corner.svg",
     "solve corner.svg --flatten inwards --tolerance 0.01",
 )

@@ -17,7 +17,7 @@ from planar_planner.report import headline, statistics
 if TYPE_CHECKING:
     from planar_planner.result import Result
 
-_EXIT_STATUS = {"path": 0, "no_path": 1, "undecided": 3}
+EXIT_STATUS = {"path": 0, "no_path": 1, "undecided": 3}
 _STDOUT = "-"
 
 
@@ -52,7 +52,7 @@ def run(arguments: argparse.Namespace) -> int:
         figure = draw_scene(scene, result)
         with written_aside(arguments.plot) as aside:
             save_picture(figure, aside, arguments.plot.suffix)
-    return _EXIT_STATUS[result.verdict]
+    return EXIT_STATUS[result.verdict]
 
 
 def _write_certificate(result: Result, file: Path) -> None:
