@@ -1,0 +1,29 @@
+"""Draw the picture of the tutorial by running its Python: ``python docs/draw_tutorial.py``.
+
+Needs the installed package. Rewrites ``docs/pictures/tutorial.png``.
+"""
+
+import re
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).parent
+DPI = 90  # as in the gallery
+
+
+def main() -> None:
+    """Run the page down to its drawing."""
+    page = (HERE / "tutorial.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    names: dict[str, Any] = {}
+    for block in blocks:
+        exec(block.replace(', "table.png"', ""), names)
+        if "figure" in names:
+            break
+    figure = names["figure"]
+    # No creation date: the same picture is the same file.
+    figure.savefig(HERE / "pictures" / "tutorial.png", dpi=DPI, metadata={"Software": None})
+
+
+if __name__ == "__main__":
+    main()
