@@ -17,7 +17,8 @@ from pdg.motion import (
     generalized_distance_bounds,
     motion_bounds,
 )
-from pdg.pieces import ConvexPieces, convex_pieces
+from pdg.piece_set import ConvexPieces
+from pdg.pieces import convex_pieces
 from pdg.query import CObstacleVerdict, CObstacleVerdicts, c_obstacle_query
 from pdg.results import (
     DepthLowerBound,

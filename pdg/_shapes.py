@@ -1,18 +1,20 @@
 """Any description of a body → rings of doubles, one list of rings a polygon, the outer one first.
 
-Coordinates, shapely geometries, WKT, WKB, GeoJSON, and lists of any of these as one body.
+Coordinates, shapely geometries, WKT, WKB, GeoJSON, convex pieces, and lists of any of these as one
+body.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 import numpy as np
 
 from pdg._gate import ring
 from pdg.errors import PdgError
+from pdg.piece_set import ConvexPieces
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -26,32 +28,41 @@ def polygons(value: object, name: str) -> list[Rings]:
     """Return rings per polygon, the outer one first; the body is the union of the polygons.
 
     `value` is one ring as an (n, 2) array or nested sequence, anything that shapely reads (a
-    geometry, WKT, WKB, GeoJSON as text or mapping, an object with ``__geo_interface__``), or a
-    sequence of these.
+    geometry, WKT, WKB, GeoJSON as text or mapping, an object with ``__geo_interface__``), convex
+    pieces, or a sequence of these.
     """
+    try:
+        return _polygons(value, name)
+    except RecursionError as error:
+        raise PdgError("nested too deeply, or within itself", name, value=value) from error
+
+
+def _polygons(value: object, name: str) -> list[Rings]:
+    if isinstance(value, ConvexPieces):
+        return [[piece] for piece in value]
     geometry = _geometry(value, name)
     if geometry is not None:
         return _polygons_of(geometry, name)
     if _is_list_of_bodies(value):
-        return [rings for item in value for rings in polygons(item, name)]  # type: ignore[attr-defined]
+        return [rings for item in value for rings in _polygons(item, name)]
     return [[ring(value, name)]]
 
 
-def _is_list_of_bodies(value: object) -> bool:
+def _is_list_of_bodies(value: object) -> TypeGuard[Iterable[object]]:
     """Whether a sequence holds bodies, and not the points of one ring."""
     if isinstance(value, np.ndarray):
         return value.ndim == 3
     if not isinstance(value, Sequence) or not value:
         return False
     first = value[0]
-    if _describes_geometry(first):
+    if isinstance(first, ConvexPieces) or _describes_geometry(first):
         return True
     if isinstance(first, np.ndarray):
         return first.ndim >= 2
+    if not isinstance(first, Sequence) or not first:
+        return False
     # A ring's items are points, whose items are numbers.
-    return (
-        isinstance(first, Sequence) and bool(first) and isinstance(first[0], Sequence | np.ndarray)
-    )
+    return isinstance(first[0], Sequence | np.ndarray) or _is_list_of_bodies(first)
 
 
 def _describes_geometry(value: object) -> bool:

@@ -3,44 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pdg import _core, _shapes
 from pdg.errors import PdgError
+from pdg.piece_set import ConvexPieces
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-
-@dataclass(frozen=True, slots=True)
-class ConvexPieces:
-    """The convex pieces of a body, ready for repeated queries.
-
-    Iterating gives each piece's vertices, an (n, 2) array, counter-clockwise and strictly convex.
-    Every function that takes a body takes one of these too, and then decomposes nothing.
-    """
-
-    core: _core.PieceSet = field(repr=False)
-
-    def __len__(self) -> int:
-        return len(self.core)
-
-    def __iter__(self) -> Iterator[NDArray[np.float64]]:
-        coords, starts = self.core.arrays()
-        return (coords[starts[i] : starts[i + 1]] for i in range(len(self)))
-
-    @property
-    def radius(self) -> float:
-        """Largest distance of the body from its frame origin, rounded up (length)."""
-        return self.core.radius
-
-    @property
-    def radii(self) -> tuple[float, ...]:
-        """The same for each piece."""
-        return tuple(self.core.radii())
 
 
 def convex_pieces(body: Any, *, cover: bool = True, name: str = "body") -> ConvexPieces:
@@ -53,7 +25,9 @@ def convex_pieces(body: Any, *, cover: bool = True, name: str = "body") -> Conve
         of polygons; WKT; WKB (bytes or hexadecimal); GeoJSON as text, mapping or by
         ``__geo_interface__``. A list (or an array of shape (k, n, 2)) is the union of its items.
         Rings may have either orientation, collinear and repeated vertices, and may touch in
-        points. Polygons of one body may overlap.
+        points. A ring that runs back along edges of its own is taken by the even-odd rule: what it
+        runs along twice bounds nothing. Polygons of one body may overlap; ConvexPieces in a list
+        are taken piece by piece.
     cover : bool
         True: a cover; each piece is grown as far as convexity allows and pieces may overlap.
         False: a partition; interiors are disjoint.
@@ -70,14 +44,17 @@ def convex_pieces(body: Any, *, cover: bool = True, name: str = "body") -> Conve
     ------
     PdgError
         For rings of fewer than three distinct points, non-finite coordinates, edges that cross,
-        holes outside their shell, z coordinates, and bodies without area.
+        holes outside their shell, z coordinates, bodies without area, and a `cover` that is no
+        bool.
     """
+    if not isinstance(cover, bool | np.bool_):
+        raise PdgError("expected True or False", "cover", value=cover)
     if isinstance(body, ConvexPieces):
         return body
     polygons = _shapes.polygons(body, name)
     _check_holes(polygons, name)
     try:
-        core = _core.PieceSet(*_flat(polygons), cover)
+        core = _core.PieceSet(*_flat(polygons), bool(cover))
     except ValueError as error:
         raise PdgError(str(error), name) from error
     if len(core) == 0:

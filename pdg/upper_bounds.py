@@ -14,7 +14,8 @@ import numpy as np
 
 from pdg import _core, _gate
 from pdg.errors import PdgError
-from pdg.pieces import ConvexPieces, convex_pieces
+from pdg.piece_set import ConvexPieces
+from pdg.pieces import convex_pieces
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -40,13 +40,15 @@ struct Circle {
 // translation.
 Circle smallest_enclosing_circle(const std::vector<Vec2>& points);
 
-// The same with both sides of its radius: `inner` bounds that of every enclosing circle from below,
-// and so max_v |t + v - c| for every t; with c* = sum l_v v, l the shares,
-//   max_v |t + v - c*|^2 >= sum l_v |t + v - c*|^2 = |t|^2 + inner^2.
+// The same with both sides of its radius. For any shares l >= 0 of sum 1, and c* = sum l_v v,
+//   max_v |t + v - c*|^2 >= sum l_v |t + v - c*|^2 = |t|^2 + rho^2,  rho^2 = sum l_v |v - c*|^2,
+// for every t: about c* itself, be it the best centre or not. `inner` <= rho, so it bounds the
+// radius of every enclosing circle too. About `centre` this holds up to the distance to c*.
 struct CircleBounds {
   Vec2 centre;         // c* up to 8 u max |v|
   double inner = 0.0;  // rounded down
-  double outer = 0.0;  // max |v - centre|, rounded up; equal to `inner` but for rounding
+  double outer = 0.0;  // max |v - centre|, rounded up. Above `inner` by what rounding does to the
+                       // shares: some u of it, a thousand u for slivers. Nothing leans on how much.
 };
 
 CircleBounds enclosing_circle_bounds(const std::vector<Vec2>& points);

@@ -161,3 +161,42 @@ def test_curves_and_methods_of_other_types_are_refused() -> None:
             pdg.c_obstacle_query(square, square, (0, 0, 0, 1, 1, 1), method)
         with pytest.raises(pdg.PdgError):
             pdg.generalized_depth_upper_bound(square, square, method=method)
+
+
+def test_lists_within_themselves_and_too_deep_ones_are_refused() -> None:
+    loop: list[object] = []
+    loop.append(loop)
+    deep: list[object] = []
+    for _ in range(100_000):
+        deep = [deep]
+    for body in (loop, [TRIANGLE, loop], deep):
+        with pytest.raises(pdg.PdgError, match="body") as caught:
+            pdg.convex_pieces(body)
+        assert caught.value.value is not None
+    nested: list[object] = [TRIANGLE]
+    for _ in range(50):
+        nested = [nested]
+    assert len(pdg.convex_pieces(nested)) == 1
+
+
+def test_cover_must_be_a_bool() -> None:
+    odd: Any = (1, "no", None, [])
+    for cover in odd:
+        with pytest.raises(pdg.PdgError, match="cover: expected True or False") as caught:
+            pdg.convex_pieces(TRIANGLE, cover=cover)
+        assert caught.value.value == cover
+    assert len(pdg.convex_pieces(TRIANGLE, cover=np.bool_(False))) == 1
+
+
+def test_pieces_in_a_list_are_taken_piece_by_piece() -> None:
+    ell = pdg.convex_pieces([(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (0, 3)])
+    for body in ([ell, TRIANGLE + 10.0], (TRIANGLE + 10.0, ell), [[ell], TRIANGLE + 10.0]):
+        both = [piece.tolist() for piece in pdg.convex_pieces(body)]
+        assert len(both) == len(ell) + 1
+        assert all(piece.tolist() in both for piece in ell)
+
+
+def test_a_ring_that_runs_back_along_its_edges_is_taken_by_the_even_odd_rule() -> None:
+    spike = [(0, 0), (2, 0), (2, 2), (5, 2), (2, 2), (0, 2)]
+    pieces = pdg.convex_pieces(spike, cover=False)
+    assert shapely.union_all([shapely.Polygon(p) for p in pieces]).equals(shapely.box(0, 0, 2, 2))
