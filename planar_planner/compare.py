@@ -14,7 +14,7 @@ import math
 import subprocess
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -189,7 +189,13 @@ def check_scene(scene: SceneLike) -> tuple[Scene, Problem]:
     return loaded, problem
 
 
-def compare(scene: SceneLike, settings: Settings) -> SceneComparison:
+Stepped = Callable[[str, int, int], None]
+"""Told what is running, how many runs are done, and how many there are."""
+
+
+def compare(
+    scene: SceneLike, settings: Settings, stepped: Stepped | None = None
+) -> SceneComparison:
     """Run ours and OMPL's planners on a scene, one after another.
 
     Raises
@@ -206,9 +212,15 @@ def compare(scene: SceneLike, settings: Settings) -> SceneComparison:
     judge = Judge(problem)
     run_ours(problem, judge, settings.limit)  # once untimed: imports, the processor's clock
     ours = tuple(run_ours(problem, judge, settings.limit) for _ in range(settings.runs))
-    samplers = {
-        name: tuple(run_samplers(loaded, judge, name, settings)) for name in settings.planners
-    }
+    samplers: dict[str, tuple[SamplerRun, ...]] = {}
+    for name in settings.planners:
+        runs = []
+        for run in run_samplers(loaded, judge, name, settings):
+            runs.append(run)
+            if stepped is not None:
+                done = len(samplers) * settings.runs + len(runs)
+                stepped(f"{loaded.name}, {name}", done, len(settings.planners) * settings.runs)
+        samplers[name] = tuple(runs)
     return SceneComparison(loaded.name, reading, ours, samplers)
 
 

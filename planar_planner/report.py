@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from planar_planner.errors import one_line
@@ -27,10 +27,10 @@ _HINTS = {
 }
 
 
-def headline(result: Result) -> str:
-    """Return the verdict in one line."""
-    reason = f" ({result.reason})" if result.reason else ""
-    return one_line(f"{result.scene}: {_HEADLINES[result.verdict]}{reason}")
+def headline(result: Result, paint: Callable[[str], str] = str) -> str:
+    """Return the verdict in one line; `paint` may colour its words."""
+    reason = one_line(f" ({result.reason})") if result.reason else ""
+    return f"{one_line(result.scene)}: {paint(_HEADLINES[result.verdict])}{reason}"
 
 
 def statistics(result: Result) -> str:

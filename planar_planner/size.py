@@ -20,6 +20,14 @@ class SceneSize:
     robot_vertices: int
 
 
+def size_json(size: SceneSize) -> dict[str, dict[str, int]]:
+    """Return a size as the members ``robot`` and ``obstacles`` of a JSON object."""
+    return {
+        "robot": {"polygons": size.robot_polygons, "vertices": size.robot_vertices},
+        "obstacles": {"polygons": size.obstacle_polygons, "vertices": size.obstacle_vertices},
+    }
+
+
 def scene_size(scene: Scene) -> SceneSize:
     """Count a scene that the gate would accept.
 

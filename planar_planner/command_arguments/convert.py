@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from planar_planner.command_arguments.importing import add_importing
-from planar_planner.command_arguments.shared import DONE, add_command, add_scene
+from planar_planner.command_arguments.shared import DONE, add_command, add_json, add_scene
 
 
 def add(commands: Any) -> None:
@@ -31,6 +31,7 @@ def add(commands: Any) -> None:
         help="file to write: .json for a scene; .geojson, .wkt, .svg, .dxf, .csv, .txt (with .rob)",
     )
     add_importing(convert)
+    add_json(convert, "what was written and repaired")
     convert.add_argument("--quiet", action="store_true", help="do not tell what was repaired")
     convert.set_defaults(run=_run)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from planar_planner.command_arguments.shared import DONE, add_command
+from planar_planner.command_arguments.shared import DONE, add_command, add_json
 
 
 def add(commands: Any) -> None:
@@ -14,13 +14,14 @@ def add(commands: Any) -> None:
         commands,
         "list",
         "list the built-in scenes with size, expected verdict and origin",
-        examples=("list",),
+        examples=("list", "list --json scenes.json"),
         status=DONE,
     )
+    add_json(listing, "the list")
     listing.set_defaults(run=_run)
 
 
-def _run(_: argparse.Namespace) -> int:
+def _run(arguments: argparse.Namespace) -> int:
     from planar_planner.commands.listing import run
 
-    return run()
+    return run(arguments)

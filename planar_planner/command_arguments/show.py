@@ -6,7 +6,7 @@ import argparse
 from typing import Any
 
 from planar_planner.command_arguments.importing import add_importing
-from planar_planner.command_arguments.shared import DONE, add_command, add_plot, add_scene
+from planar_planner.command_arguments.shared import DONE, add_command, add_json, add_plot, add_scene
 
 
 def add(commands: Any) -> None:
@@ -15,11 +15,12 @@ def add(commands: Any) -> None:
         commands,
         "show",
         "describe a scene, and draw it, without solving it",
-        examples=("show gear", "show maze --plot maze.png"),
+        examples=("show gear", "show maze --plot maze.png", "show gear --json -"),
         status=DONE,
     )
     add_scene(show)
     add_importing(show)
+    add_json(show, "the description")
     add_plot(show, "draw the scene")
     show.set_defaults(run=_run)
 

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import argparse
-import json
 import platform
+import sys
 from importlib.metadata import version
-from pathlib import Path
 
 from planar_planner.commands.scene_input import scene_of
+from planar_planner.json_output import json_output
 from planar_planner.output import check_writable, emit, written_aside
-
-_STDOUT = "-"
+from planar_planner.progress import Progress
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -26,26 +25,21 @@ def run(arguments: argparse.Namespace) -> int:
         resolution=arguments.resolution,
         seed=arguments.seed,
     )
-    json_file = None if arguments.json in (None, _STDOUT) else Path(arguments.json)
-    for file in (json_file, arguments.plot):
-        if file is not None:
-            check_writable(file)
+    output = json_output(arguments.json)
+    quiet = output.to_stdout
+    if arguments.plot is not None:
+        check_writable(arguments.plot)
     require_ompl()
-    quiet = arguments.json == _STDOUT
     scenes = [scene_of(arguments, name, quiet=quiet) for name in arguments.scenes]
     for scene in scenes:  # a mistake in the last one shows before the first one's runs
         check_scene(scene)
     comparisons = []
     for scene in scenes:
-        comparisons.append(compare(scene, settings))
+        with Progress(sys.stderr, scene.name) as progress:
+            comparisons.append(compare(scene, settings, progress.step))
         if not quiet:
             emit(table(comparisons[-1], settings))
-    text = json.dumps(to_json(comparisons, settings, _versions()), indent=1, allow_nan=False)
-    if quiet:
-        emit(text)
-    if json_file is not None:
-        with written_aside(json_file) as aside:
-            aside.write_text(text + "\n", encoding="utf-8")
+    output.write(to_json(comparisons, settings, _versions()))
     if arguments.plot is not None:
         from planar_planner.comparison_plot import draw_comparison
 

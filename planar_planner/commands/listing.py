@@ -2,33 +2,63 @@
 
 from __future__ import annotations
 
+import argparse
+import sys
+from collections.abc import Mapping
+from typing import Any
+
 from planar_planner.builtin import manifest
+from planar_planner.json_output import json_output
 from planar_planner.output import emit
 from planar_planner.scene import load_scene
-from planar_planner.size import scene_size
+from planar_planner.size import scene_size, size_json
+from planar_planner.terminal import is_terminal
+
+FORMAT = "planar-planner/scenes"
+VERSION = 1
 
 _HEADINGS = ("scene", "obstacles", "vertices", "robot", "expected", "origin")
 _NUMERIC = 3  # columns 1 to 3 are aligned to the right
+_EXPECTED = 4
 
 
-def run() -> int:
+def run(arguments: argparse.Namespace) -> int:
     """Print one line a scene, in the manifest's order."""
-    rows = [_HEADINGS]
-    for name, entry in manifest().items():
-        size = scene_size(load_scene(name))
-        rows.append(
-            (
-                name,
-                str(size.obstacle_polygons),
-                str(size.obstacle_vertices),
-                str(size.robot_vertices),
-                entry["expected"].replace("_", " "),
-                entry["origin"],
-            )
-        )
-    widths = [max(len(row[column]) for row in rows) for column in range(len(_HEADINGS))]
-    emit("\n".join(_aligned(row, widths) for row in rows))
+    output = json_output(arguments.json)
+    scenes = [_entry(name, entry) for name, entry in manifest().items()]
+    if not output.to_stdout:
+        rows = [_row(scene) for scene in scenes]
+        if is_terminal(sys.stdout):
+            from planar_planner.terminal_table import styled_table
+
+            verdicts = [scene["expected"] for scene in scenes]
+            emit(styled_table(_HEADINGS, rows, range(1, _NUMERIC + 1), _EXPECTED, verdicts))
+        else:
+            emit(_plain_table([_HEADINGS, *rows]))
+    output.write({"format": FORMAT, "version": VERSION, "scenes": scenes})
     return 0
+
+
+def _entry(name: str, entry: Mapping[str, Any]) -> dict[str, Any]:
+    size = size_json(scene_size(load_scene(name)))
+    facts = {key: entry[key] for key in ("expected", "origin", "licence")}
+    return {"scene": name, **size, **facts}
+
+
+def _row(scene: Mapping[str, Any]) -> tuple[str, ...]:
+    return (
+        scene["scene"],
+        str(scene["obstacles"]["polygons"]),
+        str(scene["obstacles"]["vertices"]),
+        str(scene["robot"]["vertices"]),
+        scene["expected"].replace("_", " "),
+        scene["origin"],
+    )
+
+
+def _plain_table(rows: list[tuple[str, ...]]) -> str:
+    widths = [max(len(row[column]) for row in rows) for column in range(len(_HEADINGS))]
+    return "\n".join(_aligned(row, widths) for row in rows)
 
 
 def _aligned(row: tuple[str, ...], widths: list[int]) -> str:

@@ -3,23 +3,35 @@
 from __future__ import annotations
 
 import argparse
+import sys
+from typing import Any
 
 from planar_planner.builtin import manifest
 from planar_planner.commands.scene_input import scene_of
 from planar_planner.errors import one_line
 from planar_planner.fields import Configuration
+from planar_planner.json_output import json_output
 from planar_planner.output import check_writable, emit, written_aside
 from planar_planner.problem import Problem, make_problem
+from planar_planner.progress import Progress
 from planar_planner.scene import Scene
-from planar_planner.size import scene_size
+from planar_planner.size import scene_size, size_json
+
+FORMAT = "planar-planner/description"
+VERSION = 1
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Check the scene's shapes, print its facts, draw it if asked."""
+    output = json_output(arguments.json)
     if arguments.plot is not None:
         check_writable(arguments.plot)
     scene = scene_of(arguments, arguments.scene)
-    emit(description(scene, make_problem(scene)))
+    with Progress(sys.stderr, "checking the shapes"):
+        problem = make_problem(scene)
+    if not output.to_stdout:
+        emit(description(scene, problem))
+    output.write(facts(scene))
     if arguments.plot is not None:
         from planar_planner.plot import draw_scene, save_picture
 
@@ -27,6 +39,26 @@ def run(arguments: argparse.Namespace) -> int:
         with written_aside(arguments.plot) as aside:
             save_picture(figure, aside, arguments.plot.suffix)
     return 0
+
+
+def facts(scene: Scene) -> dict[str, Any]:
+    """Return the facts of a scene that the gate has accepted as a JSON object."""
+    entry = manifest().get(scene.source, {})
+    return {
+        "format": FORMAT,
+        "version": VERSION,
+        "scene": scene.name,
+        "description": scene.description,
+        **size_json(scene_size(scene)),
+        "workspace": scene.workspace,
+        "reference_bounds": scene.reference_bounds,
+        "start": scene.start,
+        "goal": scene.goal,
+        "rotation": scene.rotation,
+        "notes": list(scene.notes),
+        "expected": entry.get("expected"),
+        "origin": entry.get("origin"),
+    }
 
 
 def description(scene: Scene, problem: Problem) -> str:

@@ -3,47 +3,43 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from planar_planner.command_arguments.limits import options_of
 from planar_planner.commands.scene_input import scene_of
-from planar_planner.output import OutputError, check_writable, complain, emit, written_aside
+from planar_planner.json_output import json_output
+from planar_planner.output import check_writable, complain, emit, written_aside
 from planar_planner.progress import Progress
 from planar_planner.report import headline, statistics
+from planar_planner.terminal import VERDICT_STYLES, styled
 
 if TYPE_CHECKING:
     from planar_planner.result import Result
 
 EXIT_STATUS = {"path": 0, "no_path": 1, "undecided": 3}
-_STDOUT = "-"
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Solve, then report: text, JSON, picture. The exit status is the verdict."""
     options = options_of(arguments)
-    json_file = None if arguments.json in (None, _STDOUT) else Path(arguments.json)
-    for file in (json_file, arguments.certificate, arguments.plot):
+    output = json_output(arguments.json)
+    for file in (arguments.certificate, arguments.plot):
         if file is not None:
             check_writable(file)
     scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
     from planar_planner.planner import solve  # only now: a misspelt name is answered at once
 
-    with Progress(sys.stderr, quiet=arguments.quiet) as progress:
+    with Progress(sys.stderr, "checking the scene", quiet=arguments.quiet) as progress:
         result = solve(
             scene, options, listener=progress, certificate=arguments.certificate is not None
         )
-    if arguments.json == _STDOUT:
-        _print_json(result)
-    else:
+    if not output.to_stdout:
         _print_text(result, brief=arguments.quiet or arguments.verdict_only)
+    output.write(result.to_json())
     if scene.holds_for and result.verdict not in (scene.holds_for, "undecided"):
         complain(one_sided(scene.holds_for))
-    if json_file is not None:
-        with written_aside(json_file) as aside:
-            aside.write_text(as_json(result) + "\n", encoding="utf-8")
     if arguments.certificate is not None:
         _write_certificate(result, arguments.certificate)
     if arguments.plot is not None:
@@ -72,17 +68,7 @@ def one_sided(holds_for: str) -> str:
     return "curves were flattened inwards: this path is among outlines; try --flatten outwards"
 
 
-def as_json(result: Result) -> str:
-    """Return the result as JSON text; a value that JSON cannot hold would be a defect, so raise."""
-    return json.dumps(result.to_json(), indent=1, allow_nan=False)
-
-
-def _print_json(result: Result) -> None:
-    """Print the result and nothing else to standard output, which must be there."""
-    if sys.stdout is None:
-        raise OutputError("cannot write standard output: it is closed")
-    emit(as_json(result))
-
-
 def _print_text(result: Result, *, brief: bool) -> None:
-    emit(headline(result) if brief else f"{headline(result)}\n{statistics(result)}")
+    style = VERDICT_STYLES[result.verdict]
+    first = headline(result, lambda verdict: styled(verdict, style, sys.stdout))
+    emit(first if brief else f"{first}\n{statistics(result)}")

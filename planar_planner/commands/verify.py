@@ -3,38 +3,34 @@
 from __future__ import annotations
 
 import argparse
-import json
+import sys
 import time
-from pathlib import Path
 from typing import Any
 
 from planar_planner.commands.scene_input import scene_of
 from planar_planner.errors import one_line
+from planar_planner.json_output import json_output
 from planar_planner.options import Options
-from planar_planner.output import check_writable, complain, emit, written_aside
+from planar_planner.output import complain, emit
+from planar_planner.progress import Progress
+from planar_planner.terminal import VERDICT_STYLES, styled
 
-_STDOUT = "-"
 _VERDICTS = {"path": "path", "no_path": "no path"}
+_STYLES = {"valid": VERDICT_STYLES["path"], "rejected": VERDICT_STYLES["no_path"]}
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Verify, then report: 0 valid, 1 rejected, 2 unreadable."""
     tolerance = Options(contact_tolerance=arguments.contact_tolerance).contact_tolerance
-    json_file = None if arguments.json in (None, _STDOUT) else Path(arguments.json)
-    if json_file is not None:
-        check_writable(json_file)
+    output = json_output(arguments.json)
     scene = scene_of(arguments, arguments.scene)
-    status, finding = _finding(scene, arguments.certificate, tolerance)
-    text = json.dumps(finding, indent=1, allow_nan=False)
-    if arguments.json == _STDOUT:
-        emit(text)
-    elif status == 2:
+    with Progress(sys.stderr, "checking the certificate"):
+        status, finding = _finding(scene, arguments.certificate, tolerance)
+    if status == 2 and not output.to_stdout:
         complain(f"{arguments.certificate}: {finding['problem']}")
-    else:
+    elif not output.to_stdout:
         emit(_headline(finding))
-    if json_file is not None:
-        with written_aside(json_file) as aside:
-            aside.write_text(text + "\n", encoding="utf-8")
+    output.write(finding)
     return status
 
 
@@ -62,11 +58,13 @@ def _finding(scene: Any, certificate: str, tolerance: float) -> tuple[int, dict[
 
 def _headline(finding: dict[str, Any]) -> str:
     if finding["finding"] == "rejected":
-        return f"rejected: {finding['claim']}: {finding['problem']}"
+        rejected = styled("rejected", _STYLES["rejected"], sys.stdout)
+        return f"{rejected}: {finding['claim']}: {finding['problem']}"
     tolerance = finding["contact_tolerance"]
     moved = f", its ends within {tolerance:g} of start and goal" if tolerance else ""
     proof = "" if finding["proof"] == "path" else f" ({finding['proof']})"
+    valid = styled("valid", _STYLES["valid"], sys.stdout)
     return (
-        f"valid: {_VERDICTS[finding['verdict']]}{proof}{moved}\n"
+        f"{valid}: {_VERDICTS[finding['verdict']]}{proof}{moved}\n"
         f"{finding['claims']} claims checked in {finding['seconds']:.2f} s"
     )

@@ -187,32 +187,3 @@ def test_interrupt_ends_at_once_with_statistics(tmp_path: Path) -> None:
     assert "undecided (interrupted)" in out
     assert "cells:" in out
     assert err == ""
-
-
-@pytest.mark.skipif(os.name != "posix", reason="opens a pseudo-terminal")
-def test_progress_on_a_terminal_only(tmp_path: Path) -> None:
-    import pty
-
-    file = long_search(tmp_path)
-    limits = [*ENDLESS, "--timeout", "2"]
-    controller, terminal = pty.openpty()
-    done = subprocess.run(
-        [*COMMAND, "check", file, *limits],
-        stdout=subprocess.PIPE,
-        stderr=terminal,
-        timeout=60,
-        check=False,
-    )
-    os.set_blocking(controller, False)
-    try:
-        shown = os.read(controller, 100_000).decode()
-    except BlockingIOError:
-        shown = ""
-    finally:
-        os.close(terminal)
-        os.close(controller)
-    assert done.returncode == 3
-    assert " cells: " in shown
-    assert shown.endswith("\r\x1b[K")
-    piped = run("check", file, *limits)
-    assert piped.stderr == ""

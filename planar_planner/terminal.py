@@ -1,0 +1,34 @@
+"""What a stream can show: nothing beyond plain text unless it is a terminal. Light to import."""
+
+from __future__ import annotations
+
+import os
+from typing import TextIO
+
+VERDICT_STYLES = {"path": "bold cyan", "no_path": "bold magenta", "undecided": "bold yellow"}
+"""Told apart by colour-blind eyes too, on dark and light ground; the words say the same."""
+
+
+def is_terminal(stream: TextIO | None) -> bool:
+    """Return whether the stream is a terminal that can move its cursor."""
+    if stream is None or os.environ.get("TERM") in ("dumb", "unknown"):
+        return False
+    try:
+        return stream.isatty()
+    except ValueError:  # closed
+        return False
+
+
+def has_colours(stream: TextIO | None) -> bool:
+    """Return whether to colour: on a terminal, unless NO_COLOR is set (https://no-color.org)."""
+    return is_terminal(stream) and os.environ.get("NO_COLOR", "") == ""
+
+
+def styled(text: str, style: str, stream: TextIO | None) -> str:
+    """Return the text as the stream is to show it, in a style that rich names."""
+    if not has_colours(stream):
+        return text
+    from rich.color import ColorSystem
+    from rich.style import Style  # without rich.console, which takes three times as long to import
+
+    return Style.parse(style).render(text, color_system=ColorSystem.STANDARD)
