@@ -9,7 +9,13 @@ from typing import Any
 
 from planar_planner.command_arguments.importing import add_importing
 from planar_planner.command_arguments.limits import add_limits
-from planar_planner.command_arguments.shared import VERDICTS, add_command, add_scene, real_number
+from planar_planner.command_arguments.shared import (
+    VERDICTS,
+    add_command,
+    add_json,
+    add_scene,
+    real_number,
+)
 
 ANIMATION_SUFFIXES = (".gif", ".mp4")
 
@@ -21,9 +27,9 @@ def add(commands: Any) -> None:
         "animate",
         "solve a scene and write the robot's motion as a film",
         examples=(
-            "animate gear gear.gif --seconds 6 --size 480x480",
-            "animate maze maze.mp4 --speed 5 --fps 30",
-            "animate gear-jammed cells.gif",
+            "animate gear gear.gif --seconds 2 --fps 8 --size 320x320",
+            "animate slot slot.mp4 --speed 5 --fps 10",
+            "animate slot-jammed cells.gif --seconds 2 --fps 5",
         ),
         status=VERDICTS,
     )
@@ -35,6 +41,7 @@ def add(commands: Any) -> None:
         help=f"file to write: {', '.join(ANIMATION_SUFFIXES)}",
     )
     add_importing(animate)
+    add_json(animate, "the result")
     pace = animate.add_argument_group("pace and size")
     how_long = pace.add_mutually_exclusive_group()
     how_long.add_argument(

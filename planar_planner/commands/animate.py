@@ -7,11 +7,11 @@ import sys
 
 from planar_planner.command_arguments.limits import options_of
 from planar_planner.commands.scene_input import scene_of
-from planar_planner.commands.solve import EXIT_STATUS, one_sided
+from planar_planner.commands.solve import EXIT_STATUS, one_sided, print_verdict
 from planar_planner.errors import one_line
+from planar_planner.json_output import json_output
 from planar_planner.output import check_writable, complain, emit, written_aside
 from planar_planner.progress import Progress
-from planar_planner.report import headline, statistics
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -23,6 +23,7 @@ def run(arguments: argparse.Namespace) -> int:
     file = arguments.out
     suffix = file.suffix.lower()
     check_writable(file)
+    output = json_output(arguments.json)
     from planar_planner.animation.film import DEFAULT_SIZE, check_film
 
     size = arguments.size or DEFAULT_SIZE
@@ -31,17 +32,20 @@ def run(arguments: argparse.Namespace) -> int:
     from planar_planner.planner import Planner
 
     planner = Planner(scene)
-    with Progress(sys.stderr, quiet=arguments.quiet) as progress:
+    with Progress(sys.stderr, "checking the scene", quiet=arguments.quiet) as progress:
         result = planner.solve(options=options, listener=progress)
-    emit(headline(result) if arguments.quiet else f"{headline(result)}\n{statistics(result)}")
+    if not output.to_stdout:
+        print_verdict(result, brief=arguments.quiet)
     if scene.holds_for and result.verdict not in (scene.holds_for, "undecided"):
         complain(one_sided(scene.holds_for))
     from planar_planner.animation.film import write_film
     from planar_planner.animation.material import gather
 
-    material = gather(planner, result, options, cells_needed=not len(result.path))
-    with written_aside(file) as aside:
-        write_film(material, aside, suffix=suffix, pace=pace, size=size)
-    if not arguments.quiet:
+    with Progress(sys.stderr, "drawing", quiet=arguments.quiet):
+        material = gather(planner, result, options, cells_needed=not len(result.path))
+        with written_aside(file) as aside:
+            write_film(material, aside, suffix=suffix, pace=pace, size=size)
+    output.write(result.to_json())
+    if not (arguments.quiet or output.to_stdout):
         emit(one_line(f"{file}: {file.stat().st_size:,} bytes"))
     return EXIT_STATUS[result.verdict]

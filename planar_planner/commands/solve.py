@@ -36,7 +36,7 @@ def run(arguments: argparse.Namespace) -> int:
             scene, options, listener=progress, certificate=arguments.certificate is not None
         )
     if not output.to_stdout:
-        _print_text(result, brief=arguments.quiet or arguments.verdict_only)
+        print_verdict(result, brief=arguments.quiet or arguments.verdict_only)
     output.write(result.to_json())
     if scene.holds_for and result.verdict not in (scene.holds_for, "undecided"):
         complain(one_sided(scene.holds_for))
@@ -68,7 +68,8 @@ def one_sided(holds_for: str) -> str:
     return "curves were flattened inwards: this path is among outlines; try --flatten outwards"
 
 
-def _print_text(result: Result, *, brief: bool) -> None:
+def print_verdict(result: Result, *, brief: bool) -> None:
+    """Print the verdict, coloured on a terminal, and unless `brief` the statistics."""
     style = VERDICT_STYLES[result.verdict]
     first = headline(result, lambda verdict: styled(verdict, style, sys.stdout))
     emit(first if brief else f"{first}\n{statistics(result)}")

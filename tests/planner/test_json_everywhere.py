@@ -23,6 +23,7 @@ COMMANDS = {
     "compare": ["slot", "--runs", "1", "--limit", "1", "--planners", "RRTConnect"],
     "convert": ["corner", "corner.svg"],
 }
+COMMANDS["animate"] = ["corner", "corner.gif", "--seconds", "0.2", "--size", "160x160"]
 NO_ANSWER = {"completion"}
 
 
