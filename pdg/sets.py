@@ -143,8 +143,7 @@ class Box(ConvexSet):
     __slots__ = ()
 
     def __init__(self, half_extents: ArrayLike, centre: ArrayLike | None = None) -> None:
-        extents = _not_negative(half_extents, "half_extents")
-        super().__init__(_core.box(extents, _centre(centre, len(extents))))
+        super().__init__(_core.box(*_centred(half_extents, "half_extents", centre)))
 
 
 class CrossPolytope(ConvexSet):
@@ -159,8 +158,7 @@ class CrossPolytope(ConvexSet):
     __slots__ = ()
 
     def __init__(self, radii: ArrayLike, centre: ArrayLike | None = None) -> None:
-        extents = _not_negative(radii, "radii")
-        super().__init__(_core.cross_polytope(extents, _centre(centre, len(extents))))
+        super().__init__(_core.cross_polytope(*_centred(radii, "radii", centre)))
 
 
 class PointSet(ConvexSet):
@@ -338,6 +336,14 @@ def _not_negative(value: ArrayLike, name: str) -> NDArray[np.float64]:
         i = int(np.flatnonzero(numbers < 0)[0])
         raise PdgError("must not be negative", name, i, float(numbers[i]))
     return numbers
+
+
+def _centred(
+    extents: ArrayLike, name: str, centre: ArrayLike | None
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return extents along the coordinates and a centre that fits them."""
+    numbers = _not_negative(extents, name)
+    return numbers, _centre(centre, len(numbers))
 
 
 def _vector(

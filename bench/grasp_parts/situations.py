@@ -114,55 +114,52 @@ def fit_parameters() -> tuple[float, float]:
     return block.THUMB / (block.FRICTION * span), 1 / (block.FRICTION * span)
 
 
+def _two_fingers(
+    name: str,
+    q: Callable[[int], ConvexSet],
+    active: Published,
+    whole: Published,
+    formula: Callable[[float, float, bool], float],
+) -> Situation:
+    """Return a row (a1) to (a5): they differ in Q alone."""
+    return Situation(name, TWO, True, 3, active, whole, q=q, formula=formula)
+
+
 SITUATIONS: Sequence[Situation] = (
-    Situation(
+    _two_fingers(
         "a1",
-        TWO,
-        True,
-        3,
+        Ball,
         Published(0.2425, 3, 0.0028),
         Published(0.2425, 437, 155.18),
-        formula=lambda a, g, _: 1 / math.sqrt(1 + a * a + g * g),
+        lambda a, g, _: 1 / math.sqrt(1 + a * a + g * g),
     ),
-    Situation(
+    _two_fingers(
         "a2",
-        TWO,
-        True,
-        3,
+        long_ellipsoid,
         Published(0.2236, 4, 0.0040),
         Published(0.2235, 359, 108.93),
-        q=long_ellipsoid,
-        formula=lambda a, g, _: 1 / math.sqrt(4 + a * a + g * g),
+        lambda a, g, _: 1 / math.sqrt(4 + a * a + g * g),
     ),
-    Situation(
+    _two_fingers(
         "a3",
-        TWO,
-        True,
-        3,
+        unit_cross_polytope,
         Published(0.3155, 3, 0.0039),
         Published(0.3154, 96, 11.330),
-        q=unit_cross_polytope,
-        formula=lambda a, g, _: 1 / max(1, a, g),
+        lambda a, g, _: 1 / max(1, a, g),
     ),
-    Situation(
+    _two_fingers(
         "a4",
-        TWO,
-        True,
-        3,
+        unit_cube,
         Published(0.1513, 4, 0.0032),
         Published(0.1119, 82, 6.1654),
-        q=unit_cube,
-        formula=lambda a, g, six: 1 / (1 + (math.sqrt(2) if six else 1) * (a + g)),
+        lambda a, g, six: 1 / (1 + (math.sqrt(2) if six else 1) * (a + g)),
     ),
-    Situation(
+    _two_fingers(
         "a5",
-        TWO,
-        True,
-        3,
+        unit_segment,
         Published(1.0, 2, 0.0026),
         Published(1.0, 18, 0.2989),
-        q=unit_segment,
-        formula=lambda _a, _g, _: 1.0,
+        lambda _a, _g, _: 1.0,
     ),
     Situation("b1", THREE, True, 5, Published(0.1238, 4, 0.0144)),
     Situation(
