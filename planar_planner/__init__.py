@@ -12,6 +12,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from planar_planner.bottleneck import Bottleneck
     from planar_planner.cells import Cells, cells_of, cells_on_path, theta_slice
     from planar_planner.certificate_form import CertificateError
     from planar_planner.errors import OptionsError, SceneError
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     __version__: str
 
 _HOMES = {
+    "Bottleneck": "bottleneck",
     "Cells": "cells",
     "CertificateError": "certificate_form",
     "NoPath": "result",
@@ -45,6 +47,7 @@ _HOMES = {
 }
 
 __all__ = [
+    "Bottleneck",
     "Cells",
     "CertificateError",
     "NoPath",

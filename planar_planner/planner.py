@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 
 from planar_planner._core import Core
+from planar_planner.bottleneck import Bottleneck, make_bottleneck
 from planar_planner.cells import Cells, make_cells
 from planar_planner.certificate import make_certificate
 from planar_planner.core import Listener, ask, make_core
@@ -110,14 +112,11 @@ class Planner:
         """
         limits = options or Options()
         query = with_query(self.problem, start, goal)
-        if not self._busy.acquire(blocking=False):
-            raise RuntimeError("a planner answers one query at a time")
-        try:
-            return self._answer(query, limits, listener, certificate)
-        except MemoryError:
-            return Undecided(query.name, "out of memory", np.empty((0, 3)), {})
-        finally:
-            self._busy.release()
+        with self._idle():
+            try:
+                return self._answer(query, limits, listener, certificate)
+            except MemoryError:
+                return Undecided(query.name, "out of memory", np.empty((0, 3)), {})
 
     def cells(self) -> Cells:
         """Return the cells that the queries so far have left.
@@ -131,11 +130,30 @@ class Planner:
         RuntimeError
             If a query of this planner is being answered.
         """
+        with self._idle():
+            core = self._core or make_core(self.problem, self._without)
+            return make_cells(core.cells())
+
+    def bottleneck(self) -> Bottleneck | None:
+        """Return where the last query's proof of absence is nearest to failing.
+
+        None if it was not answered so, by cells or by a disc in the robot's place.
+
+        Raises
+        ------
+        RuntimeError
+            If a query of this planner is being answered.
+        """
+        with self._idle():
+            return None if self._core is None else make_bottleneck(self._core.bottleneck())
+
+    @contextmanager
+    def _idle(self) -> Iterator[None]:
+        """Keep others from asking meanwhile; refuse if a query is being answered."""
         if not self._busy.acquire(blocking=False):
             raise RuntimeError("a planner answers one query at a time")
         try:
-            core = self._core or make_core(self.problem, self._without)
-            return make_cells(core.cells())
+            yield
         finally:
             self._busy.release()
 

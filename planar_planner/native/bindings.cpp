@@ -252,6 +252,7 @@ NB_MODULE(_core, m) {
       .def("least_clearance", &planner::Planner::least_clearance,
            nb::call_guard<nb::gil_scoped_release>())
       .def("evidence", &bindings::evidence)
-      .def("cells", &bindings::cells);
+      .def("cells", &bindings::cells)
+      .def("bottleneck", &bindings::bottleneck);
   bindings::add_state_check(m);
 }

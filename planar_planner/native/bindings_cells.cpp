@@ -40,4 +40,20 @@ nb::dict cells(const planner::Planner& planner) {
   return out;
 }
 
+nb::dict bottleneck(planner::Planner& planner) {
+  planner::Crossing found;
+  {
+    const nb::gil_scoped_release release;
+    found = planner.bottleneck();
+  }
+  std::vector<std::array<double, 3>> way;
+  way.reserve(found.way.size());
+  for (const planner::Configuration& q : found.way) way.push_back({q.x, q.y, q.theta});
+  nb::dict out;
+  out["way"] = array_of<double>(way, {way.size(), 3});
+  out["depth"] = array_of<double>(found.depth, {found.depth.size()});
+  out["deepest"] = found.deepest;
+  return out;
+}
+
 }  // namespace bindings

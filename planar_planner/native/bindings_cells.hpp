@@ -1,4 +1,5 @@
-// The leaves of the subdivision as numpy arrays (planar_planner/cells.py).
+// The leaves of the subdivision, and where its wall is thinnest, as numpy arrays
+// (planar_planner/cells.py, planar_planner/bottleneck.py).
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -8,5 +9,7 @@
 namespace bindings {
 
 nanobind::dict cells(const planner::Planner& planner);
+// "way", "depth" and "deepest" of planner::Crossing.
+nanobind::dict bottleneck(planner::Planner& planner);
 
 }  // namespace bindings

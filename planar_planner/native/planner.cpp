@@ -290,6 +290,14 @@ double Planner::least_clearance() {
   return path_clearance(problem_, *tree_, last_.waypoints);
 }
 
+Crossing Planner::bottleneck() {
+  if (last_.verdict != Verdict::kNoPath) return {};
+  if (last_.decided_by == "disc") return disc_inside_->bottleneck();
+  if (last_.decided_by != "separation") return {};
+  return find_bottleneck(problem_, *subdivision_, leaves_of(last_.start), leaves_of(last_.goal),
+                         [this](const Configuration& q) { return placement(q).depth; });
+}
+
 CellTable Planner::cells() const {
   return subdivision_ ? tabulate(problem_, *subdivision_) : CellTable{};
 }

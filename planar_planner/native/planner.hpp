@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "bottleneck.hpp"
 #include "cell_table.hpp"
 #include "collision.hpp"
 #include "evidence.hpp"
@@ -40,6 +41,8 @@ class Planner {
   Evidence evidence();
   // Certified lower bound along the last answer's path, user's units; 0 without a path.
   double least_clearance();
+  // Of the last answer, if it is a separation (of a disc, that disc's); empty otherwise.
+  Crossing bottleneck();
   // The leaves of the subdivision; none if no query has needed cells.
   [[nodiscard]] CellTable cells() const;
   // The disc that stood for the robot (ClaimKind::kDisc).
