@@ -12,8 +12,14 @@ from __future__ import annotations
 MIN_SET_COORDINATE = 2.0**-200
 MAX_SET_COORDINATE = 2.0**200
 
-# The same for numbers that describe a grasp (lengths, forces, coefficients). A wrench's component
-# is a product of at most three of them and a unit vector, and thus a set's coordinate.
+# Components of a convex set's vectors: kSumPadding of the core is derived for sums of that many.
+MOST_DIMENSIONS = 2**20
+# Limits of nodes, iterations and facets beyond that are that: none is ever reached.
+MOST_COUNTED = 2**62
+
+# Magnitudes of the numbers that describe a grasp (lengths, forces, coefficients) and are not 0. A
+# wrench's component is a product of at most three of them and a unit vector's, and thus within
+# the coordinates above.
 MIN_GRASP_MAGNITUDE = 2.0**-66
 MAX_GRASP_MAGNITUDE = 2.0**66
 

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pdg import _core
-from pdg._constants import MAX_SET_COORDINATE, MIN_SET_COORDINATE
+from pdg._constants import (
+    MAX_SET_COORDINATE,
+    MIN_SET_COORDINATE,
+    MOST_COUNTED,
+    MOST_DIMENSIONS,
+)
 from pdg.errors import PdgError
 
 if TYPE_CHECKING:
@@ -108,6 +114,25 @@ def length(value: object, name: str) -> float:
     return float(number)
 
 
+def seconds(value: object, name: str) -> float:
+    """Return one number >= 0, or infinity."""
+    return math.inf if isinstance(value, float) and value == math.inf else length(value, name)
+
+
+def count(value: object, name: str) -> int:
+    """Return a whole number >= 0, at most `MOST_COUNTED`, which nothing reaches."""
+    if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer) or value < 0:
+        raise PdgError("expected a whole number >= 0", name, value=value)
+    return min(int(value), MOST_COUNTED)
+
+
+def flag(value: object, name: str) -> bool:
+    """Return True or False."""
+    if not isinstance(value, bool | np.bool_):
+        raise PdgError("expected True or False", name, value=value)
+    return bool(value)
+
+
 def coordinates(
     value: object, name: str, axes: int, smallest: float = MIN_SET_COORDINATE
 ) -> NDArray[np.float64]:
@@ -119,6 +144,9 @@ def coordinates(
     if array.ndim != axes or array.size == 0:
         kind = {1: "a vector (n,)", 2: "a matrix (m, n)"}[axes]
         raise PdgError(f"expected {kind}, not empty", name, value=array.shape)
+    if array.shape[-1] > MOST_DIMENSIONS:
+        problem = f"must have {MOST_DIMENSIONS} components at most"
+        raise PdgError(problem, name, value=array.shape)
     magnitude = np.abs(array)
     sane = (magnitude == 0) | ((magnitude >= smallest) & (magnitude <= MAX_SET_COORDINATE))
     if not sane.all():

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 import numpy as np
 
 from pdg import _core, _gate
+from pdg._constants import MOST_COUNTED
 from pdg.errors import PdgError
 from pdg.pieces import convex_pieces
 from pdg.upper_bounds import ConvexSeparators
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
 Pose = tuple[float, float, float]
 StopReason = Literal["tolerance", "time", "nodes", "rounding"]
 _REASONS: tuple[StopReason, ...] = ("tolerance", "time", "nodes", "rounding")
-_MOST_NODES = 2**63
 _HERE = (0.0, 0.0, 0.0)
 
 
@@ -167,8 +167,8 @@ def bracket(
     separators = B.core if prepared else None
     q = _gate.poses(pose, "pose")
     tolerance = _gate.length(rel_tol, "rel_tol")
-    seconds = math.inf if time_limit is None else _gate.length(time_limit, "time_limit")
-    nodes = _MOST_NODES if node_limit is None else _whole(node_limit, "node_limit")
+    seconds = math.inf if time_limit is None else _gate.seconds(time_limit, "time_limit")
+    nodes = MOST_COUNTED if node_limit is None else _gate.count(node_limit, "node_limit")
     rows = np.atleast_2d(np.asarray(q))
     bad, numbers, counts, ends = _core.bracket_depths(
         pieces_a.core, pieces_b.core, separators, rows, tolerance, seconds, nodes
@@ -200,9 +200,3 @@ def _bracket(row: Sequence[float], counts: Sequence[int], stopped: StopReason) -
 def _pose(row: NDArray[np.float64]) -> Pose:
     x, y, theta = (float(v) for v in row)
     return x, y, theta
-
-
-def _whole(value: object, name: str) -> int:
-    if not isinstance(value, int) or value < 0:
-        raise PdgError("expected a whole number >= 0", name, value=value)
-    return min(value, _MOST_NODES)

@@ -123,15 +123,16 @@ def penetration_distance(
     q = as_convex_set(Q, "Q").core
     _check_sets(a, q)
     gap, relative_gap = _gate.length(eps, "eps"), _gate.length(relative_eps, "relative_eps")
-    limits = (_count(max_iterations, "max_iterations"), _count(max_facets, "max_facets"))
-    seconds = math.inf if time_limit == math.inf else _gate.length(time_limit, "time_limit")
+    limits = (_gate.count(max_iterations, "max_iterations"), _gate.count(max_facets, "max_facets"))
+    seconds = _gate.seconds(time_limit, "time_limit")
+    steps_wanted = _gate.flag(history, "history")
     frame = frame_of(a)
     found = _beside_subspace(a, q, frame)
     if found is not None:
         return found
     state, reason, lower, upper, direction, _, iterations, facets, steps = (
         _core.penetration_distance(
-            frame.image(a), frame.image(q), gap, relative_gap, *limits, seconds, history
+            frame.image(a), frame.image(q), gap, relative_gap, *limits, seconds, steps_wanted
         )
     )
     u = _unit(np.array(direction) @ frame.matrix)
@@ -200,12 +201,6 @@ def _check_sets(a: _core.ConvexSet, q: _core.ConvexSet) -> None:
     values = q.supports(axes)[0]
     if (values < -np.tile(q.error(), 2)).any():
         raise PdgError("must hold the origin", "Q", value=float(values.min()))
-
-
-def _count(value: object, name: str) -> int:
-    if not isinstance(value, int | np.integer) or value < 0:
-        raise PdgError("expected an integer >= 0", name, value=value)
-    return int(value)
 
 
 def _unit(u: NDArray[np.float64]) -> NDArray[np.float64]:

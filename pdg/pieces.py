@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pdg import _core, _shapes
+from pdg import _core, _gate, _shapes
 from pdg.errors import PdgError
 from pdg.piece_set import ConvexPieces
 
@@ -47,14 +47,13 @@ def convex_pieces(body: Any, *, cover: bool = True, name: str = "body") -> Conve
         holes outside their shell, z coordinates, bodies without area, and a `cover` that is no
         bool.
     """
-    if not isinstance(cover, bool | np.bool_):
-        raise PdgError("expected True or False", "cover", value=cover)
+    whole = _gate.flag(cover, "cover")
     if isinstance(body, ConvexPieces):
         return body
     polygons = _shapes.polygons(body, name)
     _check_holes(polygons, name)
     try:
-        core = _core.PieceSet(*_flat(polygons), bool(cover))
+        core = _core.PieceSet(*_flat(polygons), whole)
     except ValueError as error:
         raise PdgError(str(error), name) from error
     if len(core) == 0:

@@ -16,7 +16,12 @@ from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 import numpy as np
 
 from pdg import _core, _gate
-from pdg._constants import ACCURACY_SHARES, MIN_SET_COORDINATE, SUPPORT_ACCURACY
+from pdg._constants import (
+    ACCURACY_SHARES,
+    MIN_SET_COORDINATE,
+    MOST_DIMENSIONS,
+    SUPPORT_ACCURACY,
+)
 from pdg.errors import PdgError
 
 if TYPE_CHECKING:
@@ -104,11 +109,12 @@ class Ellipsoid(ConvexSet):
     __slots__ = ()
 
     def __init__(self, axes: ArrayLike, centre: ArrayLike | None = None) -> None:
-        if np.ndim(axes) == 1:
-            radii = _gate.coordinates(axes, "axes", 1)
+        numbers = _gate.numbers(axes, "axes")
+        if numbers.ndim == 1:
+            radii = _gate.coordinates(numbers, "axes", 1)
             super().__init__(_core.axis_ellipsoid(radii, _centre(centre, len(radii))))
         else:
-            matrix = _gate.coordinates(axes, "axes", 2)
+            matrix = _gate.coordinates(numbers, "axes", 2)
             super().__init__(_core.ellipsoid(matrix, _centre(centre, len(matrix))))
 
 
@@ -310,7 +316,11 @@ class _Asked:
 
 
 def _cores(sets: Iterable[SupportSet]) -> list[_core.ConvexSet]:
-    cores = [as_convex_set(inner, f"sets[{i}]").core for i, inner in enumerate(sets)]
+    try:
+        parts = list(sets)
+    except TypeError as error:
+        raise PdgError("expected sets", "sets", value=sets) from error
+    cores = [as_convex_set(inner, f"sets[{i}]").core for i, inner in enumerate(parts)]
     if not cores:
         raise PdgError("at least one set is needed", "sets")
     for i, core in enumerate(cores):
@@ -321,8 +331,9 @@ def _cores(sets: Iterable[SupportSet]) -> list[_core.ConvexSet]:
 
 
 def _dimension(value: object, name: str) -> int:
-    if not isinstance(value, int | np.integer) or value < 1:
-        raise PdgError("expected an integer >= 1", name, value=value)
+    if not isinstance(value, int | np.integer) or not 1 <= value <= MOST_DIMENSIONS:
+        problem = f"expected an integer between 1 and {MOST_DIMENSIONS}"
+        raise PdgError(problem, name, value=value)
     return int(value)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -177,3 +178,24 @@ def test_a_sum_within_a_sum_rounds_at_its_own_magnitude() -> None:
     whole = sets.MinkowskiSum([sets.PointSet([(1, 0)]), small])
     _, point = whole.support((1.0, 0.0))
     assert abs(Fraction(point[0]) - 1 - 200 * Fraction(2e-17)) < Fraction(1, 2**52)
+
+
+def test_odd_arguments_give_the_library_s_error() -> None:
+    loop: list[object] = []
+    loop.append(loop)
+    odd: Any = loop
+    for call in (
+        lambda: sets.Ellipsoid(odd),
+        lambda: sets.Ball(10**400),
+        lambda: sets.MinkowskiSum(cast(Any, 3)),
+        lambda: sets.UnionHull(cast(Any, np.array(1.0))),
+        lambda: pdg.penetration_distance(sets.Ball(2), sets.Ball(2), history=cast(Any, 1)),
+        lambda: pdg.penetration_distance(sets.Ball(2), sets.Ball(2), time_limit=cast(Any, [])),
+        lambda: pdg.penetration_distance(sets.Ball(2), sets.Ball(2), max_facets=True),
+    ):
+        with pytest.raises(pdg.PdgError) as caught:
+            call()
+        assert caught.value.name
+        assert caught.value.value is not None
+    huge = pdg.penetration_distance(sets.Ball(2), sets.Ball(2), max_iterations=10**30)
+    assert huge.reason == "converged"
