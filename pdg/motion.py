@@ -94,6 +94,7 @@ def motion_bounds(half_extents: Any, radius: float) -> MotionBounds:
     Returns
     -------
     MotionBounds
+        Lengths, rounded up.
 
     Raises
     ------

@@ -126,7 +126,9 @@ class Ball(Ellipsoid):
     dimension : int
         n.
     radius : float, optional
+        At least 0; 1 by default.
     centre : array_like of shape (n,), optional
+        The origin by default.
     """
 
     __slots__ = ()
@@ -143,7 +145,9 @@ class Box(ConvexSet):
     Parameters
     ----------
     half_extents : array_like of shape (n,)
+        At least 0; a box may be flat.
     centre : array_like of shape (n,), optional
+        The origin by default.
     """
 
     __slots__ = ()
@@ -158,7 +162,9 @@ class CrossPolytope(ConvexSet):
     Parameters
     ----------
     radii : array_like of shape (n,)
+        At least 0.
     centre : array_like of shape (n,), optional
+        The origin by default.
     """
 
     __slots__ = ()
@@ -173,6 +179,7 @@ class PointSet(ConvexSet):
     Parameters
     ----------
     points : array_like of shape (m, n)
+        m points, in any order; those inside their hull do no harm.
     """
 
     __slots__ = ()
@@ -182,7 +189,13 @@ class PointSet(ConvexSet):
 
 
 class Segment(PointSet):
-    """The segment between two points of shape (n,)."""
+    """The segment between two points.
+
+    Parameters
+    ----------
+    start, end : array_like of shape (n,)
+        The points; they may be the same.
+    """
 
     __slots__ = ()
 
@@ -227,6 +240,7 @@ class AffineImage(ConvexSet):
     Parameters
     ----------
     matrix : array_like of shape (m, n)
+        The linear part.
     inner : ConvexSet or SupportSet
         A, of dimension n.
     offset : array_like of shape (m,), optional
@@ -252,7 +266,9 @@ class Scaled(ConvexSet):
     Parameters
     ----------
     factor : float
+        Finite, of either sign.
     inner : ConvexSet or SupportSet
+        A.
     """
 
     __slots__ = ()
@@ -268,11 +284,17 @@ def as_convex_set(value: Any, name: str, accuracy: float = SUPPORT_ACCURACY) -> 
     Parameters
     ----------
     value : ConvexSet or SupportSet
+        A set of this module, or any object with `dimension` and `support`.
     name : str
         The argument's name, for error messages.
     accuracy : float, optional
         What a `SupportSet` promises: points and values are right to this times the set's extent
         along each coordinate. Bounds built on the set rely on it.
+
+    Returns
+    -------
+    ConvexSet
+        `value` itself if it is one.
 
     Raises
     ------

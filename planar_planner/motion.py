@@ -1,10 +1,10 @@
 """Configurations along a path at constant arc length: frames, ghosts, drives.
 
-Arc length is measured as *travel*: |Δ(x, y)| + radius·|Δθ| along each straight segment. With the
-robot's reach as radius this bounds from above what any point of the body travels: a point at
-distance r <= radius from the reference point moves by at most |Δ(x, y)| + r·|Δθ|. Robot that only
-slides: the plain length of its path. So equal travel between frames is a bound on how far anything
-in the picture jumps.
+Arc length is measured as *travel*: ``|Δ(x, y)| + radius·|Δθ|`` along each straight segment. With
+the robot's reach as radius this bounds from above what any point of the body travels: a point at
+distance r <= radius from the reference point moves by at most ``|Δ(x, y)| + r·|Δθ|``. Robot that
+only slides: the plain length of its path. So equal travel between frames is a bound on how far
+anything in the picture jumps.
 """
 
 from __future__ import annotations

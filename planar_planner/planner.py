@@ -100,8 +100,13 @@ class Planner:
         ----------
         start, goal : (x, y, theta), optional
             Configurations instead of the scene's own; theta in radians.
-        options, listener, certificate
+        options, listener, certificate : optional
             As for `planar_planner.solve`.
+
+        Returns
+        -------
+        PathFound, NoPath or Undecided
+            As of `planar_planner.solve`.
 
         Raises
         ------

@@ -65,10 +65,30 @@ class Report(NamedTuple):
 def verify_certificate(
     scene: Source | Scene, certificate: Source, contact_tolerance: float = 0.0
 ) -> Report:
-    """Check a certificate (a file, or its content) against a scene.
+    """Check a certificate against a scene, in exact arithmetic.
 
-    A path may begin and end off contact by `contact_tolerance`, if the certificate says so. Raises
-    `SceneError`, `CertificateError` if the certificate cannot be read, and `Rejected`.
+    Parameters
+    ----------
+    scene : Scene, str, path or mapping
+        A loaded scene, or anything that `load_scene` takes.
+    certificate : str, path or mapping
+        A file (docs/certificate.md), or its content.
+    contact_tolerance : float, optional
+        A path may begin and end off contact by this length, if the certificate says so.
+
+    Returns
+    -------
+    Report
+        What is proven: ``verdict``, ``proof``, ``contact_tolerance`` and ``claims``, their number.
+
+    Raises
+    ------
+    SceneError
+        If the scene is not valid.
+    CertificateError
+        If the certificate cannot be read.
+    Rejected
+        If it does not prove what it claims.
     """
     problem = make_problem(scene if isinstance(scene, Scene) else load_scene(scene), judged_by_geos)
     content = read_certificate(certificate)

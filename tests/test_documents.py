@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import re
 from pathlib import Path
 
@@ -37,6 +38,15 @@ def test_every_page_is_in_the_navigation() -> None:
     listed = set(re.findall(r"^[\w/-]+$", index, re.MULTILINE))
     pages = {page.relative_to(docs).with_suffix("").as_posix() for page in docs.rglob("*.md")}
     assert pages - {"index"} <= listed, "name it in a toctree of docs/index.md"
+
+
+@pytest.mark.parametrize("package", ["planar_planner", "pdg", "pdg.grasp"])
+def test_every_public_name_is_in_the_reference(package: str) -> None:
+    page = ROOT / "docs" / "api" / f"{package.replace('.', '_')}.md"
+    listed = re.findall(r"^\.\. auto\w+:: (\w+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+    module = importlib.import_module(package)
+    public = {name for name in module.__all__ if callable(getattr(module, name))}
+    assert public - {"Result"} <= set(listed), "add it to the page"
 
 
 def test_every_statistic_is_explained() -> None:

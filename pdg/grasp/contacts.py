@@ -69,6 +69,11 @@ def frictionless(position: Any, normal: Any) -> Contact:
     normal : array_like of the same shape
         Direction into the object, of any length.
 
+    Returns
+    -------
+    Contact
+        Its normal is a unit vector.
+
     Raises
     ------
     PdgError
@@ -82,7 +87,7 @@ def point_contact(position: Any, normal: Any, friction: Any, tangent: Any = None
 
     Parameters
     ----------
-    position, normal
+    position, normal : array_like
         As for `frictionless`.
     friction : float
         μ ≥ 0.
@@ -90,6 +95,11 @@ def point_contact(position: Any, normal: Any, friction: Any, tangent: Any = None
         Direction whose part perpendicular to the normal is o. By default o is perpendicular to
         the coordinate axis that is farthest from the normal. No result depends on the choice but
         the components of contact forces. Not for planar contacts.
+
+    Returns
+    -------
+    Contact
+        With unit normal and tangents.
 
     Raises
     ------
@@ -117,6 +127,11 @@ def soft_finger(
     tangent : array_like of shape (3,), optional
         As for `point_contact`.
 
+    Returns
+    -------
+    Contact
+        With unit normal and tangents.
+
     Raises
     ------
     PdgError
@@ -132,8 +147,18 @@ def soft_finger(
 def contact_map(contact: Contact, length: float = 1.0) -> NDArray[np.float64]:
     """Return G, the map from contact forces to wrenches (force, torque/length) on the object.
 
-    Shape (6, 4) in space: columns (n, p × n), (o, p × o), (t, p × t), (0, n) ([GFE] Eq. 2), the
-    lower three rows divided by `length`. Shape (3, 2) in the plane.
+    Parameters
+    ----------
+    contact : Contact
+        In the object's frame.
+    length : float, optional
+        Torques are divided by it.
+
+    Returns
+    -------
+    ndarray of shape (6, 4), or (3, 2) in the plane
+        In space: columns (n, p × n), (o, p × o), (t, p × t), (0, n) ([GFE] Eq. 2), the lower three
+        rows divided by `length`.
     """
     n, p = contact.normal, contact.position
     if len(p) == 2:

@@ -80,6 +80,11 @@ def revolute(point: Any, axis: Any = None) -> Joint:
     axis : array_like of shape (3,)
         Direction of any length; not for the plane.
 
+    Returns
+    -------
+    Joint
+        Its axis is a unit vector.
+
     Raises
     ------
     PdgError
@@ -94,7 +99,23 @@ def revolute(point: Any, axis: Any = None) -> Joint:
 
 
 def prismatic(axis: Any) -> Joint:
-    """Return a joint that slides along `axis`, a direction of shape (3,), or (2,) in the plane."""
+    """Return a joint that slides along `axis`.
+
+    Parameters
+    ----------
+    axis : array_like of shape (3,), or (2,) in the plane
+        Direction of any length.
+
+    Returns
+    -------
+    Joint
+        Its axis is a unit vector.
+
+    Raises
+    ------
+    PdgError
+        For wrong shapes, numbers that are not finite, and a zero axis.
+    """
     direction = _gate.vector(axis, "axis", (2, 3))
     size = len(direction)
     return Joint("prismatic", _gate.unit(direction, "axis", size), _gate.frozen(np.zeros(size)))
@@ -120,6 +141,11 @@ def finger(
     modes : sequence of {"active", "locked", "free"}, optional
         Of each independent rate: driven by a motor, held, or moved by nothing (its torque is
         zero: an under-actuated finger). By default all are active.
+
+    Returns
+    -------
+    Finger
+        With its Jacobian in the contact's frame.
 
     Raises
     ------
@@ -202,7 +228,7 @@ def active_wrench_set(
     ----------
     fingers : sequence of Finger
         At least one, all of one kind of object.
-    norm, length, idle
+    norm, length, idle : as of `grasp_wrench_set`
         As for `grasp_wrench_set`; `length` also as for `finger_forces`.
 
     Returns

@@ -92,6 +92,11 @@ def grasp_wrench_set(
     idle : bool
         False: normal forces are exactly 1 each ("linf"), or sum to exactly 1 ("l1").
 
+    Returns
+    -------
+    WrenchSet
+        A convex set, as `pdg.penetration_distance` takes it.
+
     Raises
     ------
     PdgError
