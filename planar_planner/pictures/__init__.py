@@ -1,0 +1,1 @@
+"""Pictures of scenes, paths, cells and walls; `planar_planner.plot` is their public side."""
