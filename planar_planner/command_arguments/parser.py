@@ -13,6 +13,7 @@ from planar_planner.command_arguments import (
     compare,
     convert,
     listing,
+    replay,
     show,
     solve,
     verify,
@@ -20,7 +21,7 @@ from planar_planner.command_arguments import (
 from planar_planner.command_arguments.command_parser import CommandParser
 from planar_planner.command_arguments.shared import VERDICTS
 
-_COMMANDS = (solve, check, verify, listing, show, animate, compare, convert)  # as help lists them
+_COMMANDS = (solve, check, verify, replay, listing, show, animate, compare, convert)  # as in help
 
 _EXAMPLES = (
     "list",

@@ -1,0 +1,72 @@
+"""Arguments of `planar-planner replay`."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from planar_planner.command_arguments.importing import add_importing
+from planar_planner.command_arguments.limits import add_limits
+from planar_planner.command_arguments.shared import (
+    add_command,
+    add_json,
+    add_scene,
+    real_number,
+    whole_number,
+)
+
+SAVE_SUFFIXES = (".gif", ".mp4")
+
+
+def add(commands: Any) -> None:
+    """Add the command."""
+    replay = add_command(
+        commands,
+        "replay",
+        "put the robot along its path among Chipmunk's shapes, or push it where there is no path",
+        examples=(
+            "replay gear",
+            "solve gear --json result.json",
+            "replay gear --path result.json",
+            "replay gear-jammed --push --seconds 5 --seed 1",
+        ),
+        status="0 witnessed, 1 contradicted, 2 bad input or usage, 3 undecided",
+    )
+    add_scene(replay)
+    add_importing(replay)
+    replay.add_argument(
+        "--path", metavar="FILE", type=Path, help="replay this, as solve --json writes it"
+    )
+    replay.add_argument(
+        "--step",
+        metavar="LENGTH",
+        type=real_number,
+        help="most travel between two looks (default: 1/256 of the robot's reach)",
+    )
+    add_json(replay, "the finding")
+    replay.add_argument("--quiet", action="store_true", help="no numbers, only the finding")
+    pushing = replay.add_argument_group("pushing")
+    pushing.add_argument(
+        "--push", action="store_true", help="no path: let random forces drive the robot"
+    )
+    for name, metavar, kind, default, what in (
+        ("seconds", "SECONDS", real_number, 20.0, "simulated time of a try"),
+        ("tries", "N", whole_number, 4, "robots, one after the other"),
+        ("seed", "N", whole_number, 0, "of the pushes"),
+    ):
+        pushing.add_argument(
+            f"--{name}",
+            metavar=metavar,
+            type=kind,
+            default=default,
+            help=f"{what} (default: %(default)s)",
+        )
+    add_limits(replay)
+    replay.set_defaults(run=_run, save=None)
+
+
+def _run(arguments: argparse.Namespace) -> int:
+    from planar_planner.commands.replay import run
+
+    return run(arguments)
