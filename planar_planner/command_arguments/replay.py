@@ -24,12 +24,12 @@ def add(commands: Any) -> None:
     replay = add_command(
         commands,
         "replay",
-        "put the robot along its path among Chipmunk's shapes, or push it where there is no path",
+        "let the Chipmunk physics engine witness a path, or try where there is none",
         examples=(
             "replay gear",
             "solve gear --json result.json",
             "replay gear --path result.json",
-            "replay gear-jammed --push --seconds 5 --seed 1",
+            "replay gear-jammed --push --seconds 2 --seed 1",
         ),
         status="0 witnessed, 1 contradicted, 2 bad input or usage, 3 undecided",
     )
