@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
 
@@ -10,7 +10,11 @@ from pdg._constants import MAX_GRASP_MAGNITUDE, MIN_GRASP_MAGNITUDE
 from pdg.errors import PdgError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from numpy.typing import NDArray
+
+Kind = TypeVar("Kind")
 
 
 def vector(value: object, name: str, sizes: tuple[int, ...]) -> NDArray[np.float64]:
@@ -71,6 +75,22 @@ def array(value: object, name: str) -> NDArray[np.float64]:
         )
         raise PdgError(problem, name, int(first[0]) if first else None, float(numbers[first]))
     return frozen(numbers)
+
+
+def one_of_kind(value: object, kind: type[Kind], name: str, index: int | None = None) -> Kind:
+    """Return the value, an instance of `kind`."""
+    if not isinstance(value, kind):
+        raise PdgError(f"expected a {kind.__name__}", name, index, value)
+    return value
+
+
+def all_of_kind(values: object, kind: type[Kind], name: str) -> list[Kind]:
+    """Return the items of an iterable, instances of `kind`."""
+    try:
+        items = list(cast("Iterable[object]", values))
+    except TypeError as error:
+        raise PdgError(f"expected {kind.__name__}s", name, value=values) from error
+    return [one_of_kind(item, kind, name, i) for i, item in enumerate(items)]
 
 
 def frozen(numbers: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -160,7 +160,8 @@ def contact_map(contact: Contact, length: float = 1.0) -> NDArray[np.float64]:
         In space: columns (n, p × n), (o, p × o), (t, p × t), (0, n) ([GFE] Eq. 2), the lower three
         rows divided by `length`.
     """
-    n, p = contact.normal, contact.position
+    n, p = _gate.one_of_kind(contact, Contact, "contact").normal, contact.position
+    length = _gate.positive(length, "length")
     if len(p) == 2:
         (o,) = contact.tangents
         columns = [[*d, (p[0] * d[1] - p[1] * d[0]) / length] for d in (n, o)]

@@ -13,6 +13,7 @@ import numpy as np
 
 from pdg.distance import PenetrationDistance, penetration_distance
 from pdg.errors import PdgError
+from pdg.grasp import _gate
 from pdg.grasp.wrenches import WrenchSet
 from pdg.sets import AffineImage, Ball, ConvexSet, as_convex_set
 
@@ -96,6 +97,7 @@ def force_closure(wrenches: WrenchSet, time_limit: float = math.inf) -> ForceClo
     PdgError
         For a time limit that is negative or no number.
     """
+    wrenches = _gate.one_of_kind(wrenches, WrenchSet, "wrenches")
     primitive = WrenchSet(wrenches.centres, wrenches.axes, "l1", False, wrenches.basis)
     ball = Ball(primitive.dimension)
     found = penetration_distance(
@@ -142,7 +144,7 @@ def force_efficiency(
     PdgError
         For a Q of another dimension or without the origin, and as `penetration_distance`.
     """
-    basis = wrenches.basis
+    basis = _gate.one_of_kind(wrenches, WrenchSet, "wrenches").basis
     distance = penetration_distance(wrenches, _within(Q, basis), eps, **limits)
     direction = basis @ distance.direction
     lower, upper = max(0.0, distance.lower), max(0.0, distance.upper)

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 
+from pdg._gate import flag
 from pdg.errors import PdgError
 from pdg.grasp import _gate
 from pdg.grasp.active_forces import ActiveForces, active_forces, column_space
@@ -152,12 +153,9 @@ def finger(
     PdgError
         For shapes that do not fit together, numbers that are not finite and unknown modes.
     """
-    if not isinstance(contact, Contact):
-        raise PdgError("expected a Contact", "contact", value=contact)
-    size = len(contact.position)
+    size = len(_gate.one_of_kind(contact, Contact, "contact").position)
+    joints = _gate.all_of_kind(joints, Joint, "joints")
     for i, joint in enumerate(joints):
-        if not isinstance(joint, Joint):
-            raise PdgError("expected a Joint", "joints", i, joint)
         if len(joint.axis) != size:
             problem = "joints and contact must both be in space or both in the plane"
             raise PdgError(problem, "joints", i, joint.axis.tolist())
@@ -196,6 +194,7 @@ def finger_forces(finger: Finger, length: Any = 1.0) -> ActiveForces:
     ActiveForces
         Components in the contact's frame, moments in force × length.
     """
+    finger = _gate.one_of_kind(finger, Finger, "finger")
     scale = _gate.positive(length, "length")
     rows = _scales(finger.contact, scale)
     speed, spin = finger.reach
@@ -243,9 +242,7 @@ def active_wrench_set(
     PdgError
         As `grasp_wrench_set`.
     """
-    for i, one in enumerate(fingers):
-        if not isinstance(one, Finger):
-            raise PdgError("expected a Finger", "fingers", i, one)
+    fingers = _gate.all_of_kind(fingers, Finger, "fingers")
     scale, name = checked([one.contact for one in fingers], norm, length)
     centres, axes = [], []
     for one in fingers:
@@ -260,7 +257,7 @@ def active_wrench_set(
     R = minimal_basis(np.column_stack([np.column_stack(centres), *axes]))
     most = max(M.shape[1] for M in axes)
     padded = [np.pad(R.T @ M, ((0, 0), (0, most - M.shape[1]))) for M in axes]
-    return WrenchSet(np.array(centres) @ R, np.array(padded), name, bool(idle), R)
+    return WrenchSet(np.array(centres) @ R, np.array(padded), name, flag(idle, "idle"), R)
 
 
 def minimal_basis(wrenches: NDArray[np.float64]) -> NDArray[np.float64]:

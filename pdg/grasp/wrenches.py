@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any, Literal, get_args
 import numpy as np
 
 from pdg import _core
+from pdg._gate import flag
 from pdg.errors import PdgError
 from pdg.grasp import _gate
 from pdg.grasp._gate import frozen
@@ -103,26 +104,25 @@ def grasp_wrench_set(
         For no contacts, contacts of both kinds of object, a length that is not positive, and an
         unknown norm.
     """
+    contacts = _gate.all_of_kind(contacts, Contact, "contacts")
     scale, name = checked(contacts, norm, length)
     space = 3 * (len(contacts[0].position) - 1)
     maps = [contact_map(contact, scale) for contact in contacts]
     centres = np.array([G[:, 0] for G in maps])
     axes = np.array([G[:, 1:] * c.limits for G, c in zip(maps, contacts, strict=True)])
-    return WrenchSet(centres, axes, name, bool(idle), np.eye(space))
+    return WrenchSet(centres, axes, name, flag(idle, "idle"), np.eye(space))
 
 
 def checked(contacts: Sequence[Contact], norm: object, length: Any) -> tuple[float, ForceNorm]:
     """Return length and norm if they and the contacts make sense together."""
     for name in get_args(ForceNorm):
-        if norm == name:
+        if isinstance(norm, str) and norm == name:
             break
     else:
         raise PdgError('expected "l1" or "linf"', "norm", value=norm)
     if len(contacts) == 0:
         raise PdgError("a grasp needs at least one contact", "contacts", value=0)
     for i, contact in enumerate(contacts):
-        if not isinstance(contact, Contact):
-            raise PdgError("expected a Contact", "contacts", i, contact)
         if len(contact.position) != len(contacts[0].position):
             problem = "contacts in space and in the plane do not mix"
             raise PdgError(problem, "contacts", i, contact.position.tolist())

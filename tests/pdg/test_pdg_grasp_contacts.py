@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any, cast
+
 import numpy as np
 import pytest
 from grasp_oracles import (
@@ -12,7 +14,7 @@ from grasp_oracles import (
     wrench,
 )
 
-from pdg import PdgError
+from pdg import PdgError, grasp
 from pdg.grasp import (
     contact_map,
     frictionless,
@@ -199,3 +201,23 @@ def test_bad_arguments(call, name, index, value):
     assert (caught.value.name, caught.value.index) == (name, index)
     if value is not None:
         assert caught.value.value == value
+
+
+def test_arguments_of_other_types_give_the_library_s_error() -> None:
+    contact = point_contact((1, 0, 0), (-1, 0, 0), 0.5)
+    odd: Any = 3
+    for call, name in (
+        (lambda: grasp.grasp_wrench_set(odd), "contacts"),
+        (lambda: grasp.grasp_wrench_set([contact], cast(Any, np.zeros(0))), "norm"),
+        (lambda: grasp.grasp_wrench_set([contact], idle=odd), "idle"),
+        (lambda: grasp.active_wrench_set(odd), "fingers"),
+        (lambda: grasp.finger(contact, odd), "joints"),
+        (lambda: grasp.finger_forces(odd), "finger"),
+        (lambda: grasp.force_closure(odd), "wrenches"),
+        (lambda: grasp.force_efficiency(odd), "wrenches"),
+        (lambda: grasp.contact_map(contact, 0), "length"),
+    ):
+        with pytest.raises(PdgError) as caught:
+            call()
+        assert caught.value.name == name
+        assert caught.value.value is not None
