@@ -6,6 +6,8 @@ from numpy.typing import NDArray
 
 _PolygonArrays = tuple[NDArray[np.float64], NDArray[np.uint32], NDArray[np.uint32]]
 
+def build_info() -> dict[str, str]: ...
+
 class Core:
     def __init__(
         self,

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import argparse
 import re
+import sys
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 from planar_planner.errors import cut, one_line
+from planar_planner.terminal import has_colours
 
 EXIT_USAGE = 2
 
@@ -52,6 +54,16 @@ class CommandParser(argparse.ArgumentParser):
         if self.usage is None:
             self.usage = self._short_usage()
         return super().format_help()
+
+    def print_help(self, file: Any = None) -> None:
+        """Print the help, in colours where the stream has them."""
+        stream = sys.stdout if file is None else file
+        text = self.format_help()
+        if has_colours(stream):
+            from planar_planner.styled_help import styled_help
+
+            text = styled_help(text)
+        self._print_message(text, stream)
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         """Suggest a spelling where argparse would list all choices."""

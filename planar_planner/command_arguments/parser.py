@@ -31,19 +31,21 @@ _EXAMPLES = (
     "solve gear --certificate gear.cert.json",
     "verify gear gear.cert.json",
     "show maze --plot maze.png",
-    "animate gear gear.gif",
+    "animate slot slot.gif --seconds 2 --fps 10",
     "convert corner corner.svg",
     "solve corner.svg --flatten inwards --tolerance 0.01",
 )
 
 
 class _Version(argparse.Action):
-    """Look the version up only when it is asked for."""
+    """Look the details up only when they are asked for."""
 
     def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> None:
-        import planar_planner
+        from planar_planner.build_details import build_details
+        from planar_planner.output import emit
 
-        parser.exit(message=f"planar-planner {planar_planner.__version__}\n")
+        emit(build_details())
+        parser.exit()
 
 
 def make_parser() -> argparse.ArgumentParser:
@@ -55,7 +57,9 @@ def make_parser() -> argparse.ArgumentParser:
         examples=_EXAMPLES,
         status=f"{VERDICTS};\n  each command's --help has its own",
     )
-    parser.add_argument("--version", action=_Version, nargs=0, help="show the version and exit")
+    parser.add_argument(
+        "--version", action=_Version, nargs=0, help="show the version and build details and exit"
+    )
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     for command in _COMMANDS:
         command.add(commands)

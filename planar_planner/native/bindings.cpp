@@ -14,6 +14,7 @@
 #include <tuple>
 #include <vector>
 
+#include "bindings_build.hpp"
 #include "bindings_cells.hpp"
 #include "bindings_evidence.hpp"
 #include "bindings_state_check.hpp"
@@ -254,5 +255,6 @@ NB_MODULE(_core, m) {
       .def("evidence", &bindings::evidence)
       .def("cells", &bindings::cells)
       .def("bottleneck", &bindings::bottleneck);
+  m.def("build_info", &bindings::build_info);
   bindings::add_state_check(m);
 }

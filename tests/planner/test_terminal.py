@@ -43,6 +43,14 @@ def test_no_colours_when_unwanted(arguments: str, environment: dict[str, str]) -
     assert ESCAPE not in ended.terminal
 
 
+def test_help_is_coloured_and_says_the_same() -> None:
+    ended = on_terminal("solve", "--help", columns=100, COLUMNS="100")
+    assert f"{ESCAPE}[1mexamples:{ESCAPE}[0m" in ended.terminal
+    assert f"{ESCAPE}[36m--certificate{ESCAPE}[0m FILE" in ended.terminal
+    piped = on_terminal("solve", "--help", streams=(), COLUMNS="100").piped
+    assert plain(ended.terminal) == piped
+
+
 def test_empty_no_color_is_no_wish() -> None:
     assert ESCAPE in on_terminal("check", "corner", NO_COLOR="").terminal
 
