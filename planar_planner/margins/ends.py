@@ -1,0 +1,92 @@
+"""Start and goal: how far the robot can grow until they are not free."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from planar_planner._core import Core
+from planar_planner.core import make_core
+from planar_planner.errors import SceneError
+from planar_planner.fields import Configuration
+from planar_planner.limits import MAX_COORDINATE
+from planar_planner.margins.scaling import Scalings
+from planar_planner.margins.surroundings import Surroundings, placed, shape_of
+from planar_planner.problem import Problem
+
+
+@dataclass(frozen=True)
+class Ends:
+    """Clearances of the robot as it is, rounded, and the margin at which an end is not free.
+
+    Attributes
+    ----------
+    start, goal : float
+        Distances from what is nearest; 0 at an end that is in contact or collides.
+    limit : float
+        Proven: beyond this one of them is not free. Infinite if there is nothing to touch.
+    binding : str
+        Which: "start" or "goal"; "none" if there is nothing to touch.
+    """
+
+    start: float
+    goal: float
+    limit: float
+    binding: str
+
+
+def ends_of(problem: Problem, core: Core, around: Surroundings) -> Ends:
+    """Measure both ends, and by how much the robot can be grown there.
+
+    Raises
+    ------
+    SceneError
+        If one is outside the reference bounds: no size of the robot makes that legal.
+    """
+    found = {}
+    shape = shape_of(problem.robot)
+    for name, q in (("start", problem.start), ("goal", problem.goal)):
+        placement = core.placement(q)
+        if placement["what"] == "reference_bounds":
+            problem_text = (
+                f"reference point is outside reference_bounds by {placement['depth']:.6g}"
+            )
+            raise SceneError(problem_text, name, str(list(q)), problem.source)
+        free = placement["state"] == "free"
+        found[name] = around.clearance(placed(shape, q)) if free else 0.0
+    binding = min(found, key=lambda name: found[name])
+    if not math.isfinite(found[binding]):
+        return Ends(math.inf, math.inf, math.inf, "none")
+    slack = max(around.rounding(problem.robot, q) for q in (problem.start, problem.goal))
+    return Ends(found["start"], found["goal"], found[binding] + slack, binding)
+
+
+def scale_limit(problem: Problem, family: Scalings, ends: Ends, width: float) -> tuple[float, str]:
+    """Return a factor at which an end is proven not to be free, and which end.
+
+    Doubles the factor until that is so, then bisects to `width`, by placements alone.
+    """
+    if not math.isfinite(ends.limit):
+        return math.inf, "none"
+    low, high = family.neutral, 2.0 * family.neutral
+    blocked = _blocked_end(problem, family, high, high)
+    while blocked is None:
+        low, high = high, 2.0 * high
+        if high * family.reach > MAX_COORDINATE:
+            return math.inf, "none"
+        blocked = _blocked_end(problem, family, high, high)
+    while high - low > width:
+        end = _blocked_end(problem, family, low, high)
+        middle = 0.5 * (low + high)
+        low, high, blocked = (middle, high, blocked) if end is None else (low, middle, end)
+    return family.between(high, high).outer, blocked
+
+
+def _blocked_end(problem: Problem, family: Scalings, low: float, high: float) -> str | None:
+    """Return which end, if any, is proven not to be free for the body in the middle."""
+    body = family.between(low, high)
+    if body.polygons is None:
+        return None
+    core = make_core(replace(problem, robot=body.polygons))
+    ends: list[tuple[str, Configuration]] = [("start", problem.start), ("goal", problem.goal)]
+    return next((name for name, q in ends if core.placement(q)["state"] == "colliding"), None)

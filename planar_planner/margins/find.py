@@ -1,0 +1,162 @@
+"""The pipeline of a margin: ends, the robot as it is, bisection, bottleneck."""
+
+from __future__ import annotations
+
+import math
+import time
+from typing import cast
+
+import numpy as np
+
+from planar_planner.core import Listener, make_core
+from planar_planner.errors import OptionsError
+from planar_planner.margins.body import Body, Family, Floats, geometry_of
+from planar_planner.margins.bottleneck import find_bottleneck
+from planar_planner.margins.bracket import Bracket, Search
+from planar_planner.margins.ends import Ends, ends_of, scale_limit
+from planar_planner.margins.offset import Offsets
+from planar_planner.margins.result import Binding, Bottleneck, By, Margin
+from planar_planner.margins.scaling import Centre, Scalings
+from planar_planner.margins.surroundings import Surroundings
+from planar_planner.options import Options
+from planar_planner.planner import SceneLike
+from planar_planner.problem import Problem, make_problem
+from planar_planner.scene import Scene, load_scene
+
+DEFAULT_TOLERANCE = 1e-3
+"""Of a factor; of a distance as a part of half the diagonal of the robot's bounding box."""
+
+
+def margin(
+    scene: SceneLike,
+    options: Options | None = None,
+    *,
+    by: By = "offset",
+    about: Centre = "reference",
+    tolerance: float | None = None,
+    listener: Listener | None = None,
+    reuse: bool = True,
+) -> Margin:
+    """Bracket the largest robot for which a path from start to goal remains.
+
+    Parameters
+    ----------
+    scene : Scene, str, path or mapping
+        A loaded scene, or anything that `load_scene` takes.
+    options : Options, optional
+        Limits. The time is for all queries together, the others for each.
+    by : {"offset", "scale"}
+        Grow the robot by a distance, all round (shrink it, for a negative one), or scale it.
+    about : {"reference", "centroid"}
+        What scaling leaves in place: the origin of the robot's frame, or the robot's centroid.
+    tolerance : float, optional
+        Width of the bracket, in the scene's unit (by "offset") or of the factor (by "scale"). By
+        default 1/1000 of half the diagonal of the robot's bounding box, and 1/1000.
+    listener : callable, optional
+        Called about ten times a second during a query with its counts; False stops it all.
+    reuse : bool, optional
+        False: forget every path once it has answered; for measuring what re-use spares.
+
+    Returns
+    -------
+    Margin
+        A bracket with both ends proven.
+
+    Raises
+    ------
+    SceneError
+        If the scene is not valid or an end is outside the reference bounds. An end that collides is
+        no error: shrinking may free it.
+    OptionsError
+        If the tolerance is not a positive, finite number.
+    """
+    began = time.monotonic()
+    loaded = scene if isinstance(scene, Scene) else load_scene(scene)
+    problem = make_problem(loaded)
+    width = _tolerance(problem, by, tolerance)
+    around = Surroundings(problem)
+    ends = ends_of(problem, make_core(problem), around)
+    family: Family
+    if by == "scale":
+        scalings = Scalings(problem.robot, about)
+        family, (limit, binding) = scalings, scale_limit(problem, scalings, ends, 0.25 * width)
+    else:
+        family, limit, binding = Offsets(problem.robot), ends.limit, ends.binding
+    bracket = Bracket(family.vanishing, limit, binding=binding)
+    search = Search(problem, family, options or Options(), listener, reuse=reuse)
+    search.ask(bracket, Body(problem.robot, family.neutral, family.neutral))
+    if bracket.lower >= family.neutral and not math.isfinite(bracket.upper):
+        bracket.lower = math.inf
+    elif not math.isfinite(bracket.upper):
+        bracket.reason = bracket.reason or "the robot as it is is undecided, and nothing is near"
+    else:
+        search.look_below(bracket, width)
+        search.narrow(bracket, width)
+    return _result(problem, by, width, family, ends, bracket, around, began)
+
+
+def _tolerance(problem: Problem, by: By, tolerance: float | None) -> float:
+    if tolerance is not None:
+        if not (tolerance > 0.0 and math.isfinite(tolerance)):
+            raise OptionsError(f"tolerance must be positive and finite, not {tolerance!r}")
+        return float(tolerance)
+    if by == "scale":
+        return DEFAULT_TOLERANCE
+    extent = np.ptp(problem.robot.coords, axis=0)
+    return DEFAULT_TOLERANCE * 0.5 * math.hypot(*extent.tolist())
+
+
+def _result(
+    problem: Problem,
+    by: By,
+    width: float,
+    family: Family,
+    ends: Ends,
+    bracket: Bracket,
+    around: Surroundings,
+    began: float,
+) -> Margin:
+    lower, upper = bracket.lower_body, bracket.upper_body
+    binding = bracket.binding
+    if not len(bracket.path) and not bracket.reason:
+        binding = "size"
+    return Margin(
+        scene=problem.name,
+        by=by,
+        lower=bracket.lower,
+        upper=bracket.upper,
+        tolerance=width,
+        monotone=family.monotone,
+        reason=bracket.reason,
+        binding=cast(Binding, binding),
+        start_clearance=ends.start,
+        goal_clearance=ends.goal,
+        bottleneck=_bottleneck(problem, by, bracket, around),
+        path=_frozen(bracket.path),
+        robot_lower=None if lower is None else geometry_of(lower.polygons),
+        robot_upper=None if upper is None else geometry_of(upper.polygons),
+        counts=bracket.counts,
+        seconds=time.monotonic() - began,
+    )
+
+
+def _bottleneck(
+    problem: Problem, by: By, bracket: Bracket, around: Surroundings
+) -> Bottleneck | None:
+    """Look where the way, or the end, that binds has least room."""
+    body = bracket.lower_body
+    if not len(bracket.path) or body is None or body.polygons is None:
+        return None
+    robot = problem.robot if by == "offset" and body.inner >= 0.0 else body.polygons
+    ends = {"start": bracket.path[:1], "goal": bracket.path[-1:]}
+    path = ends.get(bracket.binding, bracket.path)
+    found = find_bottleneck(path, robot, around, problem)
+    if found is None:
+        return None
+    q, clearance, contacts = found
+    return Bottleneck((float(q[0]), float(q[1]), float(q[2])), clearance, contacts)
+
+
+def _frozen(path: Floats) -> Floats:
+    path.setflags(write=False)
+    return path
