@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from planar_planner.cells import Cells, cells_of, cells_on_path, theta_slice
     from planar_planner.certificate_form import CertificateError
     from planar_planner.errors import OptionsError, SceneError
+    from planar_planner.margins.find import margin
+    from planar_planner.margins.result import Margin
     from planar_planner.options import Options
     from planar_planner.planner import Planner, solve
     from planar_planner.result import NoPath, PathFound, Result, Undecided
@@ -28,6 +30,7 @@ _HOMES = {
     "Bottleneck": "bottleneck",
     "Cells": "cells",
     "CertificateError": "certificate_form",
+    "Margin": "margins.result",
     "NoPath": "result",
     "Options": "options",
     "OptionsError": "errors",
@@ -41,6 +44,7 @@ _HOMES = {
     "cells_of": "cells",
     "cells_on_path": "cells",
     "load_scene": "scene",
+    "margin": "margins.find",
     "solve": "planner",
     "theta_slice": "cells",
     "verify_certificate": "verify",
@@ -50,6 +54,7 @@ __all__ = [
     "Bottleneck",
     "Cells",
     "CertificateError",
+    "Margin",
     "NoPath",
     "Options",
     "OptionsError",
@@ -63,6 +68,7 @@ __all__ = [
     "cells_of",
     "cells_on_path",
     "load_scene",
+    "margin",
     "solve",
     "theta_slice",
     "verify_certificate",

@@ -22,10 +22,11 @@ def check_placements(core: Core, problem: Problem, contact_tolerance: float) -> 
     for field, q in (("start", problem.start), ("goal", problem.goal)):
         found = core.placement(q)
         if found["state"] in ("colliding", "outside") and found["depth"] > contact_tolerance:
-            raise SceneError(_explanation(found, problem), field, str(list(q)), problem.source)
+            raise SceneError(explanation(found, problem), field, str(list(q)), problem.source)
 
 
-def _explanation(found: dict[str, Any], problem: Problem) -> str:
+def explanation(found: dict[str, Any], problem: Problem) -> str:
+    """Return in words how a placement, of `Core.placement`, is not free."""
     depth = f"{found['depth']:.6g}"
     if found["what"] == "obstacle":
         polygon = found["polygon"]

@@ -13,6 +13,7 @@ from planar_planner.command_arguments import (
     compare,
     convert,
     listing,
+    margin,
     replay,
     show,
     solve,
@@ -21,7 +22,18 @@ from planar_planner.command_arguments import (
 from planar_planner.command_arguments.command_parser import CommandParser
 from planar_planner.command_arguments.shared import VERDICTS
 
-_COMMANDS = (solve, check, verify, replay, listing, show, animate, compare, convert)  # as in help
+_COMMANDS = (  # as help lists them
+    solve,
+    check,
+    margin,
+    verify,
+    replay,
+    listing,
+    show,
+    animate,
+    compare,
+    convert,
+)
 
 _EXAMPLES = (
     "list",
@@ -30,6 +42,7 @@ _EXAMPLES = (
     "solve corner --start 2.5,0.5,0 --goal 0.5,2.5,-1.5708 --json result.json",
     "solve gear --certificate gear.cert.json",
     "verify gear gear.cert.json",
+    "margin slot",
     "show maze --plot maze.png",
     "animate slot slot.gif --seconds 2 --fps 10",
     "convert corner corner.svg",

@@ -22,7 +22,7 @@ from planar_planner.options import Options
 from planar_planner.problem import Problem
 
 SHARE = 0.5
-"""Of the time that is left, what one query may take: an undecided one must leave some for others."""
+"""Of the time that is left, what one query may take: an undecided one leaves some for others."""
 
 MOST_UNDECIDED = 6
 """Undecided queries after which the bracket stands as it is."""
@@ -132,9 +132,8 @@ class Search:
         bracket.counts["queries"] += 1
         bracket.counts["cells"] += answer["stats"]["cells"]
         if answer["verdict"] == "path":
-            raised = (
-                self._family.raised(body, core.least_clearance()) if self._reuse else body.inner
-            )
+            clearance = core.least_clearance() if self._reuse else 0.0
+            raised = self._family.raised(body, clearance)
             _accept(bracket, max(raised, body.inner), np.array(answer["path"]), body)
         elif answer["verdict"] == "no_path":
             by = answer["stats"]["decided_by"]

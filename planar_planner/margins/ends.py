@@ -12,6 +12,7 @@ from planar_planner.fields import Configuration
 from planar_planner.limits import MAX_COORDINATE
 from planar_planner.margins.scaling import Scalings
 from planar_planner.margins.surroundings import Surroundings, placed, shape_of
+from planar_planner.placement import explanation
 from planar_planner.problem import Problem
 
 
@@ -48,10 +49,7 @@ def ends_of(problem: Problem, core: Core, around: Surroundings) -> Ends:
     for name, q in (("start", problem.start), ("goal", problem.goal)):
         placement = core.placement(q)
         if placement["what"] == "reference_bounds":
-            problem_text = (
-                f"reference point is outside reference_bounds by {placement['depth']:.6g}"
-            )
-            raise SceneError(problem_text, name, str(list(q)), problem.source)
+            raise SceneError(explanation(placement, problem), name, str(list(q)), problem.source)
         free = placement["state"] == "free"
         found[name] = around.clearance(placed(shape, q)) if free else 0.0
     binding = min(found, key=lambda name: found[name])

@@ -1,4 +1,4 @@
-"""A polygon shrunk by a distance, between an inner and an outer body.
+r"""A polygon shrunk by a distance, between an inner and an outer body.
 
 A - s is the set of the points of the polygon A whose distance from the complement of A is at least
 s. The candidate P is A minus a circumscribed polygon round every edge (`rounded_hull`), computed by
@@ -9,9 +9,9 @@ GEOS. Nothing is taken for granted of it; two claims are established of its doub
   is inside P (exact), so P is inside A; and no point of P's boundary is nearer to A's boundary than
   `shallow`. Two boundaries that do not cross are nearest at a vertex of one of them. A point of P
   nearer to the complement of A would have one of P's boundary on the way there.
-- *A - s is inside P for s above `deep`.* The region A \\ P is cut into triangles, exactly, and
+- *A - s is inside P for s above `deep`.* The region A \ P is cut into triangles, exactly, and
   these until for each one edge of A has all three corners within `deep`. The distance from an edge,
-  a convex set, is a convex function, greatest at a corner; so every point of A \\ P is within `deep`
+  a convex set, is a convex function, greatest at a corner; so every point of A \ P is within `deep`
   of A's boundary. Halving a triangle at a rounded midpoint loses at most a sliver of that
   rounding, u M at each of at most `DEPTH` levels, which `deep` includes.
 

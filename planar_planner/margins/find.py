@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from dataclasses import dataclass
 from typing import cast
 
 import numpy as np
@@ -92,7 +93,8 @@ def margin(
     else:
         search.look_below(bracket, width)
         search.narrow(bracket, width)
-    return _result(problem, by, width, family, ends, bracket, around, began)
+    found = _Measured(problem, by, width, family.monotone, ends, bracket)
+    return _result(found, around, time.monotonic() - began)
 
 
 def _tolerance(problem: Problem, by: By, tolerance: float | None) -> float:
@@ -106,54 +108,55 @@ def _tolerance(problem: Problem, by: By, tolerance: float | None) -> float:
     return DEFAULT_TOLERANCE * 0.5 * math.hypot(*extent.tolist())
 
 
-def _result(
-    problem: Problem,
-    by: By,
-    width: float,
-    family: Family,
-    ends: Ends,
-    bracket: Bracket,
-    around: Surroundings,
-    began: float,
-) -> Margin:
+@dataclass(frozen=True, eq=False)
+class _Measured:
+    """What the bisection has established, and of what."""
+
+    problem: Problem
+    by: By
+    tolerance: float
+    monotone: bool
+    ends: Ends
+    bracket: Bracket
+
+
+def _result(found: _Measured, around: Surroundings, seconds: float) -> Margin:
+    bracket = found.bracket
     lower, upper = bracket.lower_body, bracket.upper_body
-    binding = bracket.binding
-    if not len(bracket.path) and not bracket.reason:
-        binding = "size"
+    vanishes = not len(bracket.path) and not bracket.reason
     return Margin(
-        scene=problem.name,
-        by=by,
+        scene=found.problem.name,
+        by=found.by,
         lower=bracket.lower,
         upper=bracket.upper,
-        tolerance=width,
-        monotone=family.monotone,
+        tolerance=found.tolerance,
+        monotone=found.monotone,
         reason=bracket.reason,
-        binding=cast(Binding, binding),
-        start_clearance=ends.start,
-        goal_clearance=ends.goal,
-        bottleneck=_bottleneck(problem, by, bracket, around),
+        binding="size" if vanishes else cast(Binding, bracket.binding),
+        start_clearance=found.ends.start,
+        goal_clearance=found.ends.goal,
+        bottleneck=_bottleneck(found, around),
         path=_frozen(bracket.path),
         robot_lower=None if lower is None else geometry_of(lower.polygons),
         robot_upper=None if upper is None else geometry_of(upper.polygons),
         counts=bracket.counts,
-        seconds=time.monotonic() - began,
+        seconds=seconds,
     )
 
 
-def _bottleneck(
-    problem: Problem, by: By, bracket: Bracket, around: Surroundings
-) -> Bottleneck | None:
-    """Look where the way, or the end, that binds has least room."""
+def _bottleneck(found: _Measured, around: Surroundings) -> Bottleneck | None:
+    """Look where the way, or the end that binds, has least room."""
+    bracket, problem = found.bracket, found.problem
     body = bracket.lower_body
     if not len(bracket.path) or body is None or body.polygons is None:
         return None
-    robot = problem.robot if by == "offset" and body.inner >= 0.0 else body.polygons
+    robot = problem.robot if found.by == "offset" and body.inner >= 0.0 else body.polygons
     ends = {"start": bracket.path[:1], "goal": bracket.path[-1:]}
     path = ends.get(bracket.binding, bracket.path)
-    found = find_bottleneck(path, robot, around, problem)
-    if found is None:
+    place = find_bottleneck(path, robot, around, problem)
+    if place is None:
         return None
-    q, clearance, contacts = found
+    q, clearance, contacts = place
     return Bottleneck((float(q[0]), float(q[1]), float(q[2])), clearance, contacts)
 
 

@@ -72,8 +72,8 @@ class Margin:
         For the margin `lower`; N = 0 if that is a robot without area.
     robot_lower, robot_upper : dict or None
         GeoJSON of the polygons that were asked about. `robot_lower` has the path; that the path's
-        clearance from it adds up to `lower` is counted in. `robot_upper` has none, and is inside the
-        robot of margin `upper`; None if `upper` follows from the clearance of an end.
+        clearance from it adds up to `lower` is counted in. `robot_upper` has none, and is inside
+        the robot of margin `upper`; None if `upper` follows from the clearance of an end.
     counts : mapping
         `queries` to the planner, `recertified` paths that saved one, `bodies` made, `undecided`
         queries, `cells` in all.

@@ -1,7 +1,7 @@
 """The robot scaled about a point: the family A(m) of `--by scale`.
 
-A(m) = c + m (A - c), m >= 0, c the reference point (the origin of the robot's frame) or the centroid.
-m = 1 is the robot as it is; at m = 0 it is a point, which is always free.
+A(m) = c + m (A - c), m >= 0, c the reference point (the origin of the robot's frame) or the
+centroid. m = 1 is the robot as it is; at m = 0 it is a point, which is always free.
 
 These bodies grow with m if A is star-shaped about c: if every point of A is seen from c. That is so
 if c is to the left of, or on, every edge of an anticlockwise outline without holes (exact). Else a

@@ -21,9 +21,8 @@ def edges_of(rings: Sequence[Floats]) -> tuple[Floats, Floats]:
 def distances(points: Floats, start: Floats, end: Floats) -> Iterator[Floats]:
     """Yield, for blocks of points, their distances (block, n) from all segments.
 
-    The foot is clamped to the segment and computed from the nearer of roundings' side: what comes
-    out is the distance to a point within 6 u M of the segment, M the largest coordinate, computed
-    with a relative error of 4 u; `rounding_of` bounds the sum.
+    The nearest point of each segment is at a fraction of it that is clamped to [0, 1].
+    `rounding_of` bounds the error.
     """
     e = end - start
     squared = np.maximum(np.einsum("ij,ij->i", e, e), np.finfo(np.float64).tiny)
@@ -38,13 +37,12 @@ def distances(points: Floats, start: Floats, end: Floats) -> Iterator[Floats]:
 def rounding_of(*clouds: Floats) -> float:
     """Return a bound on the error of `distances` among these points.
 
-    M is the largest |coordinate|. d and e are differences: off by at most 2 u M in each
-    coordinate. A clamped parameter t that is off by f moves the foot along the segment, to a
-    point of it all the same, which changes the least distance by second order only upwards: the
-    foot stays a point of the segment, so the value is never too small, and too large by at most
-    f |e|. t is off by at most 8 u |d| / |e| (a sum of two products and a quotient, each factor right
-    to 2 u), so f |e| <= 8 u |d| <= 24 u M. The product t e and the difference add 3 u M each
-    coordinate, hypot 4 u of at most 3 M. All in all below 24 + 2 * 8 + 12 < 64.
+    M is the largest |coordinate|, so |d|, |e| <= 2 sqrt(2) M. A fraction t off by f moves the foot
+    by f |e| along the segment. t = d.e / e.e: each difference carries one rounding, a sum of two
+    products two more, the quotient one, so t is off by at most 8 u |d| / |e| and the foot by
+    8 u |d| < 23 u M. The differences d and e are off by 2 u M a coordinate, t e and d - t e add 2 u
+    and 4 u of M; that is 2 sqrt(2) 8 u M < 23 u M at most for the vector. hypot is right to 2 u of
+    at most 3 M. The sum is below 64 u M.
     """
     return 64.0 * UNIT_ROUNDOFF * max(float(np.abs(cloud).max()) for cloud in clouds if len(cloud))
 

@@ -84,9 +84,8 @@ class Surroundings:
             line = shapely.shortest_line(body, self._edges[i])
             (ax, ay), (bx, by) = line.coords
             owner = int(self._owners[i])
-            found.setdefault(
-                (owner, bx, by), Contact(owner, (ax, ay), (bx, by), float(line.length))
-            )
+            contact = Contact(owner, (ax, ay), (bx, by), float(line.length))
+            found.setdefault((owner, bx, by), contact)
         return tuple(sorted(found.values(), key=lambda c: (c.distance, c.obstacle)))
 
 

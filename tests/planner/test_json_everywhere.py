@@ -24,6 +24,7 @@ COMMANDS = {
     "convert": ["corner", "corner.svg"],
 }
 COMMANDS["animate"] = ["corner", "corner.gif", "--seconds", "0.2", "--size", "160x160"]
+COMMANDS["margin"] = ["slot", "--within", "0.01"]
 NO_ANSWER = {"completion"}
 
 

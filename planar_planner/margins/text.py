@@ -1,0 +1,89 @@
+"""A margin as text for people."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from planar_planner.errors import one_line
+
+if TYPE_CHECKING:
+    from planar_planner.margins.result import Margin
+    from planar_planner.margins.surroundings import Contact
+
+_VERDICTS = {
+    "path": "a path remains",
+    "no_path": "no path, proven",
+    "undecided": "undecided",
+}
+_BINDINGS = {
+    "way": "there is no way through for a larger one",
+    "start": "a larger one collides at the start",
+    "goal": "a larger one collides at the goal",
+    "size": "only a robot shrunk to nothing passes",
+    "none": "nothing is in the way",
+}
+
+
+def _as_it_is(text: str) -> str:
+    return text
+
+
+def margin_headline(margin: Margin, style: Callable[[str], str] = _as_it_is) -> str:
+    """Return the bracket in one line; `style` is applied to the verdict."""
+    verdict = style(_VERDICTS[margin.verdict])
+    return f"{one_line(margin.scene)}: {verdict}; {_range(margin)}"
+
+
+def margin_details(margin: Margin) -> str:
+    """Return what bounds the margin, where, and what it took."""
+    counts = margin.counts
+    lines = [
+        margin.reason and f"stopped short: {margin.reason}",
+        f"bound by: {_BINDINGS[margin.binding]}",
+        _monotone_line(margin),
+        f"clearance: {_length(margin.start_clearance)} at the start, "
+        f"{_length(margin.goal_clearance)} at the goal",
+        *_bottleneck_lines(margin),
+        f"work: {counts['queries']} queries, {counts['recertified']} answered by an earlier path, "
+        f"{counts['cells']:,} cells, {margin.seconds:.2f} s",
+    ]
+    return "\n".join(f"  {one_line(line)}" for line in lines if line)
+
+
+def _range(margin: Margin) -> str:
+    if math.isinf(margin.lower):
+        return "the robot can be as large as you like"
+    digits = 3 + max(0, math.ceil(-math.log10(margin.upper - margin.lower or 1e-12)))
+    low, high = round(margin.lower, digits), round(margin.upper, digits)
+    what = "scaled by" if margin.by == "scale" else "grown by"
+    if margin.by == "offset" and margin.upper <= 0.0:
+        what, low, high = "shrunk by", -high, -low
+        return f"a path for the robot {what} {high:g}, none by {low:g}"
+    return f"a path for the robot {what} {low:g}, none by {high:g}"
+
+
+def _monotone_line(margin: Margin) -> str:
+    if margin.monotone:
+        return ""
+    return "the robot is not star-shaped about the centre: above, paths may come back"
+
+
+def _bottleneck_lines(margin: Margin) -> list[str]:
+    place = margin.bottleneck
+    if place is None:
+        return []
+    x, y, theta = place.configuration
+    touched = ", ".join(dict.fromkeys(_name(contact) for contact in place.contacts))
+    return [
+        f"narrowest at x {x:.6g}, y {y:.6g}, theta {theta:.6g}: {place.clearance:.3g} to {touched}"
+    ]
+
+
+def _name(contact: Contact) -> str:
+    return "the workspace" if contact.obstacle < 0 else f"obstacles[{contact.obstacle}]"
+
+
+def _length(value: float) -> str:
+    return "unbounded" if math.isinf(value) else f"{value:.6g}"
