@@ -17,7 +17,7 @@ from planar_planner.command_arguments.shared import (
     real_number,
 )
 
-ANIMATION_SUFFIXES = (".gif", ".mp4")
+ANIMATION_SUFFIXES = (".gif", ".mp4", ".html")
 
 
 def add(commands: Any) -> None:
@@ -25,11 +25,12 @@ def add(commands: Any) -> None:
     animate = add_command(
         commands,
         "animate",
-        "solve a scene and write the robot's motion as a film",
+        "solve a scene and write the robot's motion as a film or as a page",
         examples=(
+            "animate gear gear.html",
             "animate gear gear.gif --seconds 2 --fps 8 --size 320x320",
             "animate slot slot.mp4 --speed 5 --fps 10",
-            "animate slot-jammed cells.gif --seconds 2 --fps 5",
+            "animate gear-jammed wall.html",
         ),
         status=VERDICTS,
     )
@@ -58,7 +59,7 @@ def add(commands: Any) -> None:
         type=real_number,
         metavar="N",
         default=25.0,
-        help="frames a second (default: 25)",
+        help="frames a second of a film; a page draws as often as the screen (default: 25)",
     )
     pace.add_argument(
         "--hold",
@@ -71,7 +72,7 @@ def add(commands: Any) -> None:
         "--size",
         type=_size,
         metavar="WIDTHxHEIGHT",
-        help="in pixels (default: 800x600)",
+        help="of a film in pixels (default: 800x600); of a page, which fits its window, at most",
     )
     animate.add_argument(
         "--quiet", action="store_true", help="no statistics and no progress, only the verdict"

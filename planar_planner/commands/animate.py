@@ -16,21 +16,24 @@ from planar_planner.progress import Progress
 
 def run(arguments: argparse.Namespace) -> int:
     """Solve and animate. The exit status is the verdict."""
-    from planar_planner.animation.pace import Pace
-
     options = options_of(arguments)
-    pace = Pace(arguments.speed, arguments.seconds, arguments.fps, arguments.hold)
     file = arguments.out
     suffix = file.suffix.lower()
     check_writable(file)
     output = json_output(arguments.json)
-    from planar_planner.animation.film import DEFAULT_SIZE, check_film
-
-    size = arguments.size or DEFAULT_SIZE
-    check_film(suffix, pace, size)
     scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
+    # Heavy, so only now: a misspelt name is answered at once.
+    from planar_planner.animation.film import DEFAULT_SIZE, check_film, write_film
+    from planar_planner.animation.material import gather
+    from planar_planner.animation.pace import Pace
+    from planar_planner.animation.page import PAGE_SUFFIX, write_page
     from planar_planner.planner import Planner
 
+    pace = Pace(arguments.speed, arguments.seconds, arguments.fps, arguments.hold)
+    page = suffix == PAGE_SUFFIX
+    size = arguments.size or DEFAULT_SIZE
+    if not page:
+        check_film(suffix, pace, size)
     planner = Planner(scene)
     with Progress(sys.stderr, "checking the scene", quiet=arguments.quiet) as progress:
         result = planner.solve(options=options, listener=progress)
@@ -38,13 +41,13 @@ def run(arguments: argparse.Namespace) -> int:
         print_verdict(result, brief=arguments.quiet)
     if scene.holds_for and result.verdict not in (scene.holds_for, "undecided"):
         complain(one_sided(scene.holds_for))
-    from planar_planner.animation.film import write_film
-    from planar_planner.animation.material import gather
-
     with Progress(sys.stderr, "drawing", quiet=arguments.quiet):
-        material = gather(planner, result, options, cells_needed=not len(result.path))
+        material = gather(planner, result, options, cells_needed=page or not len(result.path))
         with written_aside(file) as aside:
-            write_film(material, aside, suffix=suffix, pace=pace, size=size)
+            if page:
+                write_page(material, aside, pace, arguments.size)
+            else:
+                write_film(material, aside, suffix=suffix, pace=pace, size=size)
     output.write(result.to_json())
     if not (arguments.quiet or output.to_stdout):
         emit(one_line(f"{file}: {file.stat().st_size:,} bytes"))

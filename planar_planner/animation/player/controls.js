@@ -1,0 +1,115 @@
+// Buttons, slider, keys and texts.
+
+const byId = (id) => document.getElementById(id);
+
+const STEP = 0.01; // of the film, by an arrow key; ten of them with Shift
+const ZOOM = 1.25; // by a key or button
+const FOLLOW_ZOOM = 3; // where all is shown there is nothing to follow
+
+function listenToControls(clock, camera) {
+  const nearer = () => camera.zoomAt(ZOOM, camera.x, camera.y);
+  const farther = () => camera.zoomAt(1 / ZOOM, camera.x, camera.y);
+  byId("play").addEventListener("click", () => clock.toggle());
+  byId("scrub").addEventListener("input", (event) => clock.seek(Number(event.target.value)));
+  byId("rate").addEventListener("change", (event) => {
+    clock.rate = Number(event.target.value);
+  });
+  byId("in").addEventListener("click", nearer);
+  byId("out").addEventListener("click", farther);
+  byId("fit").addEventListener("click", () => camera.fit());
+
+  const follow = byId("follow");
+  const followOrNot = () => {
+    camera.following = follow.checked;
+    if (follow.checked && camera.zoom <= 1) camera.zoomAt(FOLLOW_ZOOM, camera.x, camera.y);
+    camera.changed();
+  };
+  follow.addEventListener("change", followOrNot);
+
+  const keys = {
+    f: () => {
+      follow.checked = !follow.checked;
+      followOrNot();
+    },
+    " ": () => clock.toggle(),
+    ArrowLeft: (event) => clock.seek(clock.share - (event.shiftKey ? 10 : 1) * STEP),
+    ArrowRight: (event) => clock.seek(clock.share + (event.shiftKey ? 10 : 1) * STEP),
+    Home: () => clock.seek(0),
+    End: () => clock.seek(1),
+    "+": nearer,
+    "=": nearer,
+    "-": farther,
+    0: () => camera.fit(),
+  };
+  document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.target.closest("select, summary")) return;
+    if (event.key === " " && event.target.closest("button, [type=checkbox]")) return; // its own
+    const act = keys[event.key];
+    if (!act) return;
+    event.preventDefault();
+    act(event);
+  });
+}
+
+function row(name, value) {
+  const line = document.createElement("tr");
+  const head = document.createElement("th");
+  const cell = document.createElement("td");
+  head.scope = "row";
+  head.textContent = name;
+  cell.textContent = value;
+  line.append(head, cell);
+  return line;
+}
+
+function legendEntry(text, colour) {
+  const entry = document.createElement("li");
+  const patch = document.createElement("i");
+  patch.style.background = colour;
+  entry.append(patch, text);
+  return entry;
+}
+
+/** Whether anything changes with time: a robot on its path, or an angle that goes round. */
+const moves = (material) => material.path.length > 0 || material.rotation;
+
+/** Everything on the page that never changes. */
+function writeTexts(material) {
+  const { colours, cells } = material;
+  byId("name").textContent = material.name;
+  byId("verdict").textContent = material.verdict;
+  byId("statistics").append(...material.statistics.map(([name, value]) => row(name, value)));
+  byId("note").textContent = material.note;
+  const legend = [["start", colours.start], ["goal", colours.goal]];
+  if (material.path.length) legend.push(["robot", colours.robot]);
+  if (cells) {
+    legend.push(...material.labels.map((name) => [`${name}: ${material.meanings[name]}`, colours[name]]));
+    if (cells.shown < cells.count) legend.push(["smaller cells than are shown", "var(--none)"]);
+  }
+  byId("legend").append(...legend.map(([text, colour]) => legendEntry(text, colour)));
+  byId("cells").hidden = !cells;
+  byId("following").hidden = !material.path.length;
+  for (const id of ["play", "scrub", "clock", "rate"]) byId(id).hidden = !moves(material);
+  const [wide, high] = material.size ?? [];
+  if (wide) document.body.style.setProperty("--most-wide", `${wide}px`);
+  if (high) byId("views").style.setProperty("--most-high", `${high}px`);
+  if (globalThis.innerWidth < 640) byId("details").open = false;
+}
+
+/** Everything on the page, outside the views, that changes. */
+function showState(material, clock, state) {
+  const degrees = ((180 / Math.PI) * state.q[2]).toFixed(1);
+  byId("play").setAttribute("aria-pressed", String(clock.playing));
+  byId("play").setAttribute("aria-label", clock.playing ? "Pause" : "Play");
+  byId("scrub").value = String(clock.share);
+  const text = material.path.length
+    ? `${state.where.toFixed(2)} of ${state.total.toFixed(2)}`
+    : `θ = ${degrees}°`;
+  byId("clock").textContent = text;
+  byId("scrub").setAttribute("aria-valuetext", text);
+  byId("angle").textContent = `at θ = ${degrees}°`;
+  const places = material.path.length ? state.q.slice(0, 2).map((v) => v.toPrecision(4)) : null;
+  byId("where").textContent = places ? `at (${places.join(", ")}, ${degrees}°)` : "";
+  byId("probe").textContent = state.told;
+}
