@@ -28,14 +28,25 @@ def blank_figure(size: tuple[int, int]) -> Figure:
     OptionsError
         If a side is not between 160 and 4096 pixels.
     """
-    if not all(SMALLEST <= side <= LARGEST for side in size):
-        raise OptionsError(
-            f"size must be from {SMALLEST} to {LARGEST} pixels a side, not {size[0]}x{size[1]}"
-        )
+    check_size(size)
     inches = (size[0] / PIXELS_PER_INCH, size[1] / PIXELS_PER_INCH)
     figure = Figure(figsize=inches, dpi=PIXELS_PER_INCH, layout="constrained", facecolor="white")
     FigureCanvasAgg(figure)
     return figure
+
+
+def check_size(size: tuple[int, int]) -> None:
+    """Refuse a size that is too small to see anything, or large by a slip.
+
+    Raises
+    ------
+    OptionsError
+        If a side is not between 160 and 4096 pixels.
+    """
+    if not all(SMALLEST <= side <= LARGEST for side in size):
+        raise OptionsError(
+            f"size must be from {SMALLEST} to {LARGEST} pixels a side, not {size[0]}x{size[1]}"
+        )
 
 
 class Backdrop:

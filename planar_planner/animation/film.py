@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from planar_planner.animation.canvas import Frame
+from planar_planner.animation.canvas import Frame, check_size
 from planar_planner.animation.drive import drive_frames
 from planar_planner.animation.gif import check_gif_rate, write_gif
 from planar_planner.animation.material import Material
@@ -69,6 +69,7 @@ def check_film(suffix: str, pace: Pace, size: tuple[int, int]) -> None:
     """
     if suffix.lower() not in FILM_SUFFIXES:
         raise OptionsError(f"a film ends in {' or '.join(FILM_SUFFIXES)}, not {suffix!r}")
+    check_size(size)
     if suffix.lower() == ".gif":
         check_gif_rate(pace.fps)
     else:

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from planar_planner.animation.canvas import check_size
 from planar_planner.animation.cell_bytes import packed_cells
 from planar_planner.animation.material import Material
 from planar_planner.animation.pace import Pace
@@ -47,7 +48,14 @@ def page_material(
         Its speed or seconds; a page draws as often as the screen, and holds nothing.
     size : (width, height), optional
         The most CSS pixels that the page's width and the views' height may be.
+
+    Raises
+    ------
+    OptionsError
+        If a side of the size is not between 160 and 4096.
     """
+    if size is not None:
+        check_size(size)
     problem, result = material.problem, material.result
     along = travel(result.path, reach(problem.robot)) if len(result.path) else np.empty(0)
     length = float(along[-1]) if len(along) else float(np.pi * 2.0)

@@ -72,7 +72,7 @@ def add(commands: Any) -> None:
         "--size",
         type=_size,
         metavar="WIDTHxHEIGHT",
-        help="of a film in pixels (default: 800x600); of a page, which fits its window, at most",
+        help="pixels of a film (default: 800x600); the most that a page's views take of its window",
     )
     animate.add_argument(
         "--quiet", action="store_true", help="no statistics and no progress, only the verdict"

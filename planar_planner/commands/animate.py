@@ -23,6 +23,7 @@ def run(arguments: argparse.Namespace) -> int:
     output = json_output(arguments.json)
     scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
     # Heavy, so only now: a misspelt name is answered at once.
+    from planar_planner.animation.canvas import check_size
     from planar_planner.animation.film import DEFAULT_SIZE, check_film, write_film
     from planar_planner.animation.material import gather
     from planar_planner.animation.pace import Pace
@@ -32,7 +33,9 @@ def run(arguments: argparse.Namespace) -> int:
     pace = Pace(arguments.speed, arguments.seconds, arguments.fps, arguments.hold)
     page = suffix == PAGE_SUFFIX
     size = arguments.size or DEFAULT_SIZE
-    if not page:
+    if page:
+        check_size(size)
+    else:
         check_film(suffix, pace, size)
     planner = Planner(scene)
     with Progress(sys.stderr, "checking the scene", quiet=arguments.quiet) as progress:
