@@ -29,7 +29,7 @@ def add(commands: Any) -> None:
             "replay gear",
             "solve gear --json result.json",
             "replay gear --path result.json",
-            "replay gear-jammed --push --seconds 2 --seed 1",
+            "replay gear-jammed --push --seconds 2 --seed 1 --save push.gif",
         ),
         status="0 witnessed, 1 contradicted, 2 bad input or usage, 3 undecided",
     )
@@ -43,6 +43,9 @@ def add(commands: Any) -> None:
         metavar="LENGTH",
         type=real_number,
         help="most travel between two looks (default: 1/256 of the robot's reach)",
+    )
+    replay.add_argument(
+        "--save", metavar="FILE", type=_film, help=f"write a film: {', '.join(SAVE_SUFFIXES)}"
     )
     add_json(replay, "the finding")
     replay.add_argument("--quiet", action="store_true", help="no numbers, only the finding")
@@ -63,7 +66,16 @@ def add(commands: Any) -> None:
             help=f"{what} (default: %(default)s)",
         )
     add_limits(replay)
-    replay.set_defaults(run=_run, save=None)
+    replay.set_defaults(run=_run)
+
+
+def _film(text: str) -> Path:
+    file = Path(text)
+    if file.suffix.lower() not in SAVE_SUFFIXES:
+        raise argparse.ArgumentTypeError(
+            f"cannot tell the format of {text!r}; it must end in {', '.join(SAVE_SUFFIXES)}"
+        )
+    return file
 
 
 def _run(arguments: argparse.Namespace) -> int:

@@ -10,7 +10,7 @@ from planar_planner.command_arguments.limits import options_of
 from planar_planner.commands.scene_input import scene_of
 from planar_planner.errors import OptionsError
 from planar_planner.json_output import json_output
-from planar_planner.output import check_writable, emit
+from planar_planner.output import check_writable, emit, written_aside
 from planar_planner.progress import Progress
 from planar_planner.report import headline
 
@@ -29,15 +29,24 @@ def run(arguments: argparse.Namespace) -> int:
         check_writable(arguments.save)
     if arguments.push and arguments.path is not None:
         raise OptionsError("--path is for a replay, --push drives without one")
-    from planar_planner.physics.world import engine
-
-    engine()  # before the search, not after it
+    _check_extras(arguments)
     scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
     status, text, content = (_push if arguments.push else _replay)(arguments, scene)
     if not output.to_stdout:
         emit(text.partition("\n")[0] if arguments.quiet else text)
     output.write(content)
     return status
+
+
+def _check_extras(arguments: argparse.Namespace) -> None:
+    """Find out before the search what is not installed."""
+    from planar_planner.physics.world import engine
+
+    engine()
+    if arguments.save is not None:
+        from planar_planner.physics.film import check_save
+
+        check_save(arguments.save.suffix)
 
 
 def _replay(arguments: argparse.Namespace, scene: Scene) -> tuple[int, str, dict[str, Any]]:
@@ -61,8 +70,17 @@ def _replay(arguments: argparse.Namespace, scene: Scene) -> tuple[int, str, dict
         path = result.path
     from planar_planner.physics import replay
     from planar_planner.physics.text import replay_text
+    from planar_planner.problem import make_problem
 
-    found = replay(scene, path, step=arguments.step, tolerance=arguments.contact_tolerance)
+    with Progress(sys.stderr, "replaying", quiet=arguments.quiet):
+        problem = make_problem(scene)
+        tolerance = arguments.contact_tolerance
+        found = replay(problem, path, step=arguments.step, tolerance=tolerance)
+        if arguments.save is not None:
+            from planar_planner.physics.film import save_replay
+
+            with written_aside(arguments.save) as aside:
+                save_replay(problem, found, aside, arguments.save.suffix)
     return WITNESSED if found.witnessed else CONTRADICTED, replay_text(found), found.to_json()
 
 
@@ -70,9 +88,28 @@ def _push(arguments: argparse.Namespace, scene: Scene) -> tuple[int, str, dict[s
     """Return exit status, text and JSON of a push."""
     from planar_planner.physics import push
     from planar_planner.physics.text import push_text
+    from planar_planner.problem import make_problem
 
     result = _solved(arguments, scene)
-    found = push(scene, seconds=arguments.seconds, tries=arguments.tries, seed=arguments.seed)
+    with Progress(sys.stderr, "pushing", quiet=arguments.quiet) as progress:
+
+        def listen(number: int, seconds: float) -> None:
+            progress.say(f"try {number}: {seconds:.0f} of {arguments.seconds:g} simulated seconds")
+
+        problem = make_problem(scene)
+        found = push(
+            problem,
+            seconds=arguments.seconds,
+            tries=arguments.tries,
+            seed=arguments.seed,
+            listener=listen,
+        )
+        if arguments.save is not None:
+            from planar_planner.physics.film import save_push
+
+            progress.say("drawing")
+            with written_aside(arguments.save) as aside:
+                save_push(problem, found, aside, arguments.save.suffix)
     text = f"{headline(result)}\n{push_text(found)}"
     return _status(result, found), text, {"verdict": result.verdict} | found.to_json()
 

@@ -37,18 +37,21 @@ class Findings:
     ----------
     contacts : tuple of Contact
         Deepest first.
+    depths : NDArray, shape (N,)
+        Deepest penetration at each configuration; 0 where it touches or is free.
     doubted : int
         Configurations where two answers disagreed. If the first was the wrong one, the depth is
         known to two billionths of the reach, and given from below.
     """
 
     contacts: tuple[Contact, ...]
+    depths: NDArray[np.float64]
     doubted: int
 
     @property
     def deepest(self) -> float:
         """Deepest penetration; 0 without contact."""
-        return max((contact.depth for contact in self.contacts), default=0.0)
+        return float(self.depths.max(initial=0.0))
 
 
 def find_contacts(world: World, configurations: NDArray[np.float64]) -> Findings:
@@ -63,16 +66,18 @@ def find_contacts(world: World, configurations: NDArray[np.float64]) -> Findings
     """
     counts: dict[str, int] = {}
     deepest: dict[str, tuple[float, Configuration]] = {}
+    depths = np.zeros(len(configurations))
     doubted = 0
-    for x, y, theta in configurations.tolist():
-        depths, unsure = touched(world, (x, y, theta))
+    for k, (x, y, theta) in enumerate(configurations.tolist()):
+        here, unsure = touched(world, (x, y, theta))
+        depths[k] = max(here.values(), default=0.0)
         doubted += unsure
-        for what, depth in depths.items():
+        for what, depth in here.items():
             counts[what] = counts.get(what, 0) + 1
             if what not in deepest or depth > deepest[what][0]:
                 deepest[what] = (depth, (x, y, theta))
     found = [Contact(what, counts[what], *deepest[what]) for what in counts]
-    return Findings(tuple(sorted(found, key=lambda contact: -contact.depth)), doubted)
+    return Findings(tuple(sorted(found, key=lambda contact: -contact.depth)), depths, doubted)
 
 
 def touched(world: World, q: Configuration) -> tuple[dict[str, float], bool]:

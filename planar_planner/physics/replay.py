@@ -84,6 +84,7 @@ def replay(
     return Replay(
         scene=problem.name,
         configurations=where,
+        depths=found.depths,
         step=length / (len(where) - 1),
         length=length,
         contacts=found.contacts,

@@ -47,6 +47,8 @@ class Replay:
         Name of the scene.
     configurations : NDArray, shape (N, 3)
         Where Chipmunk looked: equally spaced in travel (`planar_planner.motion`).
+    depths : NDArray, shape (N,)
+        Deepest penetration at each, as Chipmunk reports it.
     step : float
         Travel between two of them. A penetration deeper than half of it cannot hide between them.
     length : float
@@ -74,6 +76,7 @@ class Replay:
 
     scene: str
     configurations: Floats
+    depths: Floats
     step: float
     length: float
     contacts: tuple[Contact, ...]

@@ -27,8 +27,8 @@ def replay_text(found: Replay) -> str:
         lines.append(f"  and {len(found.contacts) - MOST_CONTACTS:,} more in contact")
     if found.doubted:
         lines.append(
-            f"  in {found.doubted:,} configurations Chipmunk contradicted itself a billionth "
-            "of the reach aside, and was asked again"
+            f"  Chipmunk was asked again in {found.doubted:,} configurations, where it contradicts "
+            "itself a billionth of the reach aside"
         )
     lines.append(f"  {found.engine}")
     return "\n".join(lines)

@@ -6,9 +6,14 @@ import json
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from planar_planner.cli import main
+from planar_planner.physics import replay
+from planar_planner.physics.film import save_replay
+from planar_planner.physics.replay import problem_of
 
 
 def test_a_path_is_witnessed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -102,3 +107,36 @@ def test_without_pymunk_one_line_names_the_extra(
     out, err = capsys.readouterr()
     assert (out, err.count("\n")) == ("", 1)
     assert 'pip install "planar-planner[physics]"' in err
+
+
+def test_films(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    film, again = tmp_path / "push.gif", tmp_path / "again.gif"
+    command = ["replay", "slot-jammed", "--push", "--seconds", "1", "--tries", "2", "--quiet"]
+    assert main([*command, "--save", str(film)]) == 0
+    assert main([*command, "--save", str(again)]) == 0
+    assert film.read_bytes() == again.read_bytes()
+    with Image.open(film) as image:
+        assert image.n_frames == 17  # 16 a second, and the first
+    assert main(["replay", "corner", "--save", str(tmp_path / "film.avi")]) == 2
+    assert main(["replay", "corner", "--save", str(tmp_path / "none" / "film.gif")]) == 2
+    assert capsys.readouterr().err.count("\n") == 2
+
+
+def test_in_a_film_a_robot_in_collision_changes_colour(tmp_path: Path) -> None:
+    problem = problem_of("corner")
+    found = replay(problem, [problem.start, problem.goal], step=0.05)
+    save_replay(problem, found, tmp_path / "wrong.gif", ".gif")
+    assert found.depths[0] == 0.0 < found.depths.max()
+    # 16 frames at rest are one picture; of 160 that move, the deepest
+    with Image.open(tmp_path / "wrong.gif") as image:
+        shown = [coloured(image, 0)]
+        where = found.depths.argmax() / (len(found.depths) - 1)
+        shown.append(coloured(image, round(where * (image.n_frames - 1))))
+    assert shown[1] > 2 * shown[0]
+
+
+def coloured(image: Image.Image, frame: int) -> int:
+    """Return how many pixels of a frame have the colour of collision, or nearly."""
+    image.seek(frame)
+    pixels = np.asarray(image.convert("RGB")).astype(int)
+    return int((np.abs(pixels - (0xD5, 0x5E, 0x00)).sum(axis=2) < 60).sum())
