@@ -17,7 +17,10 @@ from pathlib import Path
 
 import provenance
 
-FAMILIES = ("queries", "scenes", "depths", "pairs", "placements", "segments", "bounds")
+FAMILIES = (
+    *("brackets", "queries", "scenes", "depths", "distances"),
+    *("sets", "pairs", "placements", "segments", "bounds"),
+)
 WIDTHS = (22, 13, 11, 11, 13, 11, 26)
 
 

@@ -7,7 +7,6 @@
 #include "families.hpp"
 #include "generate.hpp"
 #include "pdg/native/displacement.hpp"
-#include "pdg/native/enclosing_circle.hpp"
 #include "pdg/native/generalized_depth.hpp"
 #include "pdg/native/motion_bound.hpp"
 #include "pdg/native/tolerances.hpp"
@@ -141,38 +140,10 @@ void motion_bounds(Random& random, const bool adversarial, Tally& tally) {
 
 void displacements(Random& random, const bool adversarial, Tally& tally) {
   const SetCase c = set_case(random, adversarial);
-  const double turns = adversarial && random.one_in(3) ? random.between(-1e6, 1e6) : 0.0;
-  const double by = random.one_in(2) ? random.magnitude(1e-12, 1.0) : 1.0;
-  const pdg::Pose from{c.cell.centre.t, c.cell.centre.theta + turns};
-  const pdg::Pose to{
-      from.t + by * Vec2{random.between(-1.0, 1.0) * c.a.radius, c.a.radius},
-      from.theta + by * random.between(-3.0, 3.0) + (random.one_in(3) ? turns : 0.0)};
-  if (std::max(std::abs(from.theta), std::abs(to.theta)) > 2e6) return;
+  const Move move = move_of(random, c, adversarial);
   ++tally.inputs;
-  const exact::SineCosine r0 = exact::sine_cosine(Ball(from.theta));
-  const exact::SineCosine r1 = exact::sine_cosine(Ball(to.theta));
-  const exact::Vector shift{Ball(to.t.x) - Ball(from.t.x), Ball(to.t.y) - Ball(from.t.y)};
-  Ball most;
-  for (const ConvexPolygon& polygon : c.a.polygons)
-    for (const Vec2 v : polygon) {
-      const exact::Vector p{Ball(v.x), Ball(v.y)};
-      most = greatest(most, length(rotated(r1, p) - rotated(r0, p) + shift));
-    }
-  const double bound = pdg::kDisplacementErrorUnits * pdg::kUnitRoundoff *
-                       (pdg::norm(from.t) + pdg::norm(to.t) +
-                        c.a.radius * (1.0 + std::abs(from.theta) + std::abs(to.theta)));
-  tally.near(pdg::displacement(c.a, from, to), most, bound);
-  const pdg::DistanceBounds distance = pdg::generalized_distance_bounds(c.a, from, to);
-  // The lower bound is the displacement or the angle times the radius of the smallest circle.
-  std::vector<Vec2> vertices;
-  for (const ConvexPolygon& polygon : c.a.polygons)
-    vertices.insert(vertices.end(), polygon.begin(), polygon.end());
-  const double angle = std::abs(std::remainder(to.theta - from.theta, 2.0 * std::numbers::pi));
-  const Ball turning(angle * pdg::smallest_enclosing_circle(vertices).radius);
-  tally.claim(
-      (greatest(most, turning) + Ball(bound) - Ball(distance.lower)).certainly_not_negative());
-  tally.claim((Ball(distance.upper) - most).certainly_not_negative());
-  tally.claim(distance.lower <= distance.upper);
+  tally.near(pdg::displacement(c.a, move.from, move.to), displacement_of(c.a, move),
+             displacement_error(c.a, move));
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ constexpr std::pair<const char*, Family> kFamilies[] = {
     {"pairs", rounding::pairs},           {"segments", rounding::segments},
     {"bounds", rounding::bounds},         {"scenes", rounding::scenes},
     {"placements", rounding::placements}, {"depths", rounding::depths},
-    {"queries", rounding::queries},
+    {"queries", rounding::queries},       {"distances", rounding::distances},
+    {"brackets", rounding::brackets},     {"sets", rounding::sets},
 };
 
 struct Options {

@@ -17,6 +17,17 @@ struct SetCase {
 // from the origin.
 SetCase set_case(Random& random, bool adversarial);
 
+// Two configurations of the case's moving body, angles below 2e6.
+struct Move {
+  pdg::Pose from, to;
+};
+Move move_of(Random& random, const SetCase& c, bool adversarial);
+
+// DISP(from, to).
+exact::Ball displacement_of(const pdg::PieceSet& body, const Move& move);
+// What pdg::displacement may err by.
+double displacement_error(const pdg::PieceSet& body, const Move& move);
+
 exact::Box box_of(const pdg::Pose& centre, const pdg::HalfExtents& half);
 
 }  // namespace rounding
