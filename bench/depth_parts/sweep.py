@@ -108,8 +108,8 @@ def samples(prepared: Prepared, count: int) -> Iterator[Sample]:
     first = pdg.generalized_depth_upper_bound(A, B, poses)
     best = pdg.generalized_depth_upper_bound(A, B, poses, method="best")
     second = pdg.generalized_depth_upper_bound(A, B, poses, method="hulls")
+    brackets = pdg.bracket(A, B, poses, TOLERANCE)
     for k, (x, y, theta) in enumerate(poses.tolist()):
-        bracket = pdg.bracket(A, B, (x, y, theta), TOLERANCE)
         free_x, free_y, free_theta = first.displaced_pose[k].tolist()
         yield Sample(
             prepared.model.name,
@@ -118,8 +118,8 @@ def samples(prepared: Prepared, count: int) -> Iterator[Sample]:
             y,
             theta,
             float(lower.depth[k]),
-            bracket.lo,
-            bracket.hi,
+            float(brackets.lo[k]),
+            float(brackets.hi[k]),
             float(best.displacement[k]),
             float(first.displacement[k]),
             float(second.displacement[k]),
