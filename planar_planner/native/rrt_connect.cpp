@@ -125,6 +125,8 @@ std::uint32_t RrtConnect::nearest(const Tree& tree, const Pose& target) {
   std::size_t best = 0;
   double least = INFINITY;
   for (std::size_t i = 0; i < tree.size(); ++i) {
+    const Vec2 way = target.t - tree[i].pose.t;
+    if (dot(way, way) >= least) continue;  // most are too far away without their turn
     const double there = squared_distance(tree[i].pose, target);
     if (there < least) least = there, best = i;
   }
