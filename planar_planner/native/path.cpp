@@ -1,6 +1,7 @@
 #include "path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace planner {
@@ -12,6 +13,15 @@ constexpr double kClearanceTolerance = 0.05;
 constexpr int kClearanceIntervals = 400;
 // The part of it that a shortcut has to keep.
 constexpr double kKeptClearance = 0.5;
+
+// Where a shortcut is looked at before it is certified: a certificate that must fail costs more
+// than one that succeeds.
+constexpr std::array<double, 3> kShortcutGlances = {0.5, 0.25, 0.75};
+
+bool looks_blocked(CollisionHint& hint, const Pose& from, const Pose& to) {
+  return std::any_of(kShortcutGlances.begin(), kShortcutGlances.end(),
+                     [&](const double s) { return hint.gap(between(from, to, s)) < 0.0; });
+}
 
 std::vector<Pose> poses_of(const Problem& problem, const std::vector<Configuration>& path) {
   std::vector<Pose> poses;
@@ -56,11 +66,14 @@ std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest
 }
 
 std::optional<std::size_t> certify_shortened(const Problem& problem, ObstacleTree& tree,
-                                             SegmentTest& test, std::vector<Configuration>& path,
+                                             SegmentTest& test, CollisionHint& hint,
+                                             std::vector<Configuration>& path,
                                              const Terminator& stop) {
-  const double margin = kKeptClearance * sampled_clearance(problem, tree, poses_of(problem, path));
-  const auto certified = [&](const std::size_t from, const std::size_t to, const double by) {
-    return !stop() && test.certify(pose_of(problem, path[from]), pose_of(problem, path[to]), by);
+  const std::vector<Pose> poses = poses_of(problem, path);
+  const double margin = kKeptClearance * sampled_clearance(problem, tree, poses);
+  const auto shortcut = [&](const std::size_t from, const std::size_t to) {
+    return !stop() && !looks_blocked(hint, poses[from], poses[to]) &&
+           test.certify(poses[from], poses[to], margin);
   };
   std::vector<Configuration> kept{path.front()};
   std::size_t i = 0;
@@ -68,19 +81,19 @@ std::optional<std::size_t> certify_shortened(const Problem& problem, ObstacleTre
     // Reach as far as a doubling stride goes, then one bisection back.
     std::size_t good = i + 1;
     std::size_t stride = 2;
-    while (i + stride < path.size() && certified(i, i + stride, margin)) {
+    while (i + stride < path.size() && shortcut(i, i + stride)) {
       good = i + stride;
       stride *= 2;
     }
     std::size_t bad = std::min(i + stride, path.size());
     while (bad - good > 1) {
       const std::size_t middle = good + (bad - good) / 2;
-      if (certified(i, middle, margin))
+      if (shortcut(i, middle))
         good = middle;
       else
         bad = middle;
     }
-    if (good == i + 1 && !certified(i, good, 0.0)) return i;
+    if (good == i + 1 && (stop() || !test.certify(poses[i], poses[good]))) return i;
     kept.push_back(path[good]);
     i = good;
   }

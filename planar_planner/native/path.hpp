@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clearance.hpp"
+#include "collision.hpp"
 #include "face.hpp"
 #include "limits.hpp"
 #include "problem.hpp"
@@ -35,10 +36,12 @@ std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest
                                              const Terminator& stop);
 
 // Certifies every segment, and drops waypoints on the way where the shortcut is certified to keep
-// half of the clearance found along the path. Deterministic; never longer. The first segment that
-// cannot be certified (or before which the terminator struck), if any: `path` is then unchanged.
+// half of the clearance found along the path; `hint` spares certificates that must fail.
+// Deterministic; never longer. The first segment that cannot be certified (or before which the
+// terminator struck), if any: `path` is then unchanged.
 std::optional<std::size_t> certify_shortened(const Problem& problem, ObstacleTree& tree,
-                                             SegmentTest& test, std::vector<Configuration>& path,
+                                             SegmentTest& test, CollisionHint& hint,
+                                             std::vector<Configuration>& path,
                                              const Terminator& stop);
 
 PathReport report_path(std::vector<Configuration> waypoints);

@@ -141,7 +141,7 @@ bool Planner::probe(Query& query, CollisionHint& hint) {
     }
     if (path.empty()) return false;
     const Stopwatch watch(statistics_.seconds.path);
-    const auto bad = certify_shortened(problem_, *tree_, *segments_, path, stop);
+    const auto bad = certify_shortened(problem_, *tree_, *segments_, hint, path, stop);
     if (!bad) return conclude_path(query, std::move(path), "RRT-Connect");
     trees.reject(*bad);
   }

@@ -173,7 +173,8 @@ bool Refinement::finish(const std::vector<CellId>& channel) {
   std::vector<CellId> owners;
   std::vector<Configuration> path = assemble_path(problem_, subdivision_, channel, connectors_,
                                                   query_.start, query_.goal, owners);
-  const auto bad = certify_shortened(problem_, tree_, segments_, path, terminator);
+  CollisionHint hint(problem_, tree_);
+  const auto bad = certify_shortened(problem_, tree_, segments_, hint, path, terminator);
   if (query_.stopped) return true;
   if (bad) {
     // Free by construction, but too near to contact for the rounded waypoints: smaller cells have
@@ -204,8 +205,9 @@ bool Refinement::try_ridge(const std::vector<CellId>& channel) {
   const std::uint64_t after = statistics_.axis_work();
   next_ridge_ = {kRidgeGrowth * statistics_.labelled_cells,
                  after + kRidgePatience * (after - before)};
-  if (path.empty() || certify_shortened(problem_, tree_, segments_, path, terminator))
-    return query_.stopped;
+  if (path.empty()) return query_.stopped;
+  CollisionHint hint(problem_, tree_);
+  if (certify_shortened(problem_, tree_, segments_, hint, path, terminator)) return query_.stopped;
   conclude_path(std::move(path), "certified along the ridge of the clearance", "ridge");
   return true;
 }
