@@ -11,6 +11,7 @@ from planar_planner.command_arguments import (
     animate,
     check,
     compare,
+    completion,
     convert,
     listing,
     margin,
@@ -33,6 +34,7 @@ _COMMANDS = (  # as help lists them
     animate,
     compare,
     convert,
+    completion,
 )
 
 _EXAMPLES = (
