@@ -19,7 +19,8 @@ from planar_planner.errors import one_line
 from planar_planner.fields import Box
 from planar_planner.label_colours import LABEL_COLOURS
 from planar_planner.motion import Floats, reach, travel
-from planar_planner.plot import BOUNDS, GOAL, MIDWAY, START, view_box
+from planar_planner.pictures.style import BOUNDS, GOAL, START
+from planar_planner.plot import MIDWAY, view_box
 from planar_planner.problem import Polygons, Problem
 from planar_planner.report import headline
 
