@@ -22,6 +22,7 @@ from __future__ import annotations
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from pdg import _core
 from planar_planner.margins.body import UNIT_ROUNDOFF, Floats, Rings
@@ -31,6 +32,12 @@ from planar_planner.margins.segments import distances, edges_of, inside_ring, ro
 DEPTH = 60
 """Most halvings of a triangle: twice as many as bring any triangle down to a rounding error of its
 own size; beyond this the claim fails."""
+
+MOST_TRIANGLES = 2**16
+"""Of one level; more would take too long, and the claim fails."""
+
+BLOCKS = 16
+"""Parts in which a level is looked at, to bound memory."""
 
 Shapes = list[list[Floats]]
 
@@ -123,22 +130,25 @@ def _triangles(rings: list[Floats]) -> Floats:
 def _check_near(triangles: Floats, start: Floats, end: Floats, deep: float) -> None:
     """Check that each triangle can be cut into ones that each have an edge within `deep`."""
     for _ in range(DEPTH):
-        far = np.concatenate(
-            [
-                (block.reshape(-1, 3, len(start)).max(axis=1) > deep).all(axis=1)
-                for block in _by_triangle(triangles, start, end)
-            ]
-        )
-        triangles = _halved(triangles[far])
+        far = [_far(some, start, end, deep) for some in np.array_split(triangles, BLOCKS)]
+        triangles = _halved(triangles[np.concatenate(far)])
         if len(triangles) == 0:
             return
-    raise ClaimError("the shrunk body leaves out more than its depth")
+        if len(triangles) > MOST_TRIANGLES:
+            break
+    raise ClaimError("whether the shrunk body leaves out more than its depth is open")
 
 
-def _by_triangle(triangles: Floats, start: Floats, end: Floats) -> list[Floats]:
-    """Distances of corners from edges, in blocks of whole triangles."""
-    corners = triangles.reshape(-1, 2)
-    return [np.concatenate(list(distances(corners, start, end)))]
+def _far(triangles: Floats, start: Floats, end: Floats, deep: float) -> NDArray[np.bool_]:
+    """Return which triangles have no edge within `deep` of all three corners."""
+    rows = list(distances(triangles.reshape(-1, 2), start, end))
+    if not rows:
+        return np.empty(0, dtype=np.bool_)
+    corners = np.concatenate(rows)
+    if (corners.min(axis=1) > deep).any():
+        raise ClaimError("the shrunk body leaves out more than its depth")
+    far: NDArray[np.bool_] = corners.reshape(-1, 3, len(start)).max(axis=1).min(axis=1) > deep
+    return far
 
 
 def _halved(triangles: Floats) -> Floats:
