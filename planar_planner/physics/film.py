@@ -30,7 +30,9 @@ HIT = GOAL  # vermilion: a robot in collision
 ROBOTS = ("#CC79A7", "#009E73", "#F0E442", "#56B4E9")  # Okabe and Ito; of tries, in turn
 
 
-def save_replay(problem: Problem, found: Replay, file: Path, suffix: str) -> None:
+def save_replay(
+    problem: Problem, found: Replay, file: Path, suffix: str, pace: Pace = PACE
+) -> None:
     """Write a film of the robot on its path; in collision it changes its colour.
 
     Parameters
@@ -43,6 +45,8 @@ def save_replay(problem: Problem, found: Replay, file: Path, suffix: str) -> Non
         Where to write.
     suffix : str
         .gif or .mp4, whatever the file is called.
+    pace : Pace, optional
+        Speed and number of frames.
 
     Raises
     ------
@@ -51,7 +55,7 @@ def save_replay(problem: Problem, found: Replay, file: Path, suffix: str) -> Non
     OutputError
         If ffmpeg fails.
     """
-    _write(_replay_frames(problem, found), file, suffix)
+    _write(_replay_frames(problem, found, pace), file, suffix, pace)
 
 
 def save_push(problem: Problem, found: Push, file: Path, suffix: str) -> None:
@@ -60,7 +64,7 @@ def save_push(problem: Problem, found: Push, file: Path, suffix: str) -> None:
     Parameters, errors
         As for `save_replay`.
     """
-    _write(_push_frames(problem, found), file, suffix)
+    _write(_push_frames(problem, found), file, suffix, PACE)
 
 
 def check_save(suffix: str) -> None:
@@ -68,15 +72,15 @@ def check_save(suffix: str) -> None:
     check_film(suffix, PACE, DEFAULT_SIZE)
 
 
-def _write(frames: Iterator[Frame], file: Path, suffix: str) -> None:
+def _write(frames: Iterator[Frame], file: Path, suffix: str, pace: Pace) -> None:
     check_save(suffix)
     if suffix.lower() == ".gif":
-        write_gif(frames, PACE.fps, file)
+        write_gif(frames, pace.fps, file)
     else:
-        write_mp4(frames, DEFAULT_SIZE, PACE.fps, file)
+        write_mp4(frames, DEFAULT_SIZE, pace.fps, file)
 
 
-def _replay_frames(problem: Problem, found: Replay) -> Iterator[Frame]:
+def _replay_frames(problem: Problem, found: Replay, pace: Pace) -> Iterator[Frame]:
     verdict = "witnessed" if found.witnessed else "not witnessed"
     stage = make_stage(
         problem, found.configurations, f"{found.scene} – replay: {verdict}", DEFAULT_SIZE
@@ -89,14 +93,14 @@ def _replay_frames(problem: Problem, found: Replay) -> Iterator[Frame]:
     stage.legend(keys)
     backdrop = Backdrop(stage.figure, [robot, stage.status])
     last = len(found.configurations) - 1
-    shown = np.linspace(0, last, PACE.moving_frames(found.length)).round().astype(int)
+    shown = np.linspace(0, last, pace.moving_frames(found.length)).round().astype(int)
     for begin, k in zip([0, *(shown[:-1] + 1)], shown, strict=True):
         depth = float(found.depths[min(begin, k) : k + 1].max())  # since the frame before
         _place(stage, robot, found.configurations[k])
         robot.set_facecolor(HIT if depth > found.allowed else MIDWAY)
         done = 100.0 * k / max(1, last)
         stage.status.set_text(f"{done:3.0f} % of travel,  Chipmunk's depth {depth:.2g}")
-        yield from _held(backdrop.frame(), ends=k in (0, last))
+        yield from _held(backdrop.frame(), pace, ends=k in (0, last))
 
 
 def _push_frames(problem: Problem, found: Push) -> Iterator[Frame]:
@@ -126,7 +130,7 @@ def _push_frames(problem: Problem, found: Push) -> Iterator[Frame]:
             _place(stage, robot, trace[k])
             trail.set_data(trace[: k + 1, 0], trace[: k + 1, 1])
         stage.status.set_text(f"{time:.1f} s of {seconds:.1f} s")
-        yield from _held(backdrop.frame(), ends=n in (0, count - 1))
+        yield from _held(backdrop.frame(), PACE, ends=n in (0, count - 1))
 
 
 def _label(number: int, tries: int) -> str:
@@ -147,6 +151,6 @@ def _place(stage: Stage, robot: PathPatch, q: np.ndarray) -> None:
     robot.set_transform(moved + stage.axes.transData)
 
 
-def _held(frame: Frame, *, ends: bool) -> Iterator[Frame]:
-    for _ in range(1 + (PACE.held_frames() if ends else 0)):
+def _held(frame: Frame, pace: Pace, *, ends: bool) -> Iterator[Frame]:
+    for _ in range(1 + (pace.held_frames() if ends else 0)):
         yield frame

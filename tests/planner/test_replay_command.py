@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from planar_planner.animation.pace import Pace
 from planar_planner.cli import main
 from planar_planner.physics import replay
 from planar_planner.physics.film import save_replay
@@ -125,9 +126,9 @@ def test_films(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
 def test_in_a_film_a_robot_in_collision_changes_colour(tmp_path: Path) -> None:
     problem = problem_of("corner")
     found = replay(problem, [problem.start, problem.goal], step=0.05)
-    save_replay(problem, found, tmp_path / "wrong.gif", ".gif")
+    pace = Pace(seconds=1.0, fps=10.0, hold=0.0)
+    save_replay(problem, found, tmp_path / "wrong.gif", ".gif", pace)
     assert found.depths[0] == 0.0 < found.depths.max()
-    # 16 frames at rest are one picture; of 160 that move, the deepest
     with Image.open(tmp_path / "wrong.gif") as image:
         shown = [coloured(image, 0)]
         where = found.depths.argmax() / (len(found.depths) - 1)
