@@ -2,8 +2,9 @@
 
 ``python bench/physics.py`` replays the path of every scene that has one, and pushes four robots for
 twenty simulated seconds in every scene that has none. It asks Chipmunk about pairs of small integer
-polygons, too, many of which touch exactly, and compares with ``pdg``. It fails if a path is not
-witnessed or a robot reaches its goal, and writes ``bench/results/physics_*.csv``.
+polygons, too, many of which touch exactly, and compares with ``pdg``, and about random
+configurations in all scenes, and compares with the planner. It fails if a path is not witnessed, a
+robot reaches its goal, or answers differ, and writes ``bench/results/physics_*.csv``.
 """
 
 from __future__ import annotations
@@ -20,13 +21,15 @@ from scipy.spatial import ConvexHull, QhullError
 import pdg
 from planar_planner import load_scene, solve
 from planar_planner.builtin import manifest
+from planar_planner.core import make_core
 from planar_planner.physics import push, replay
 from planar_planner.physics.contacts import reported, touched
-from planar_planner.physics.replay import problem_of
-from planar_planner.physics.world import engine_name, make_world
+from planar_planner.physics.replay import outside, problem_of
+from planar_planner.physics.world import engine_name, make_world, rounding
 
 SECONDS, TRIES, SEED = 20.0, 4, 0
 PAIRS, PLACES = 400, 150
+CONFIGURATIONS = 1000  # in each scene
 NEAR = 1e-7  # of the polygons' extent of 8: above what asking aside leaves open, 2^-30 of the reach
 QUARTERS = (0.0, math.pi / 2, math.pi, -math.pi / 2)
 
@@ -137,8 +140,34 @@ def judgements() -> tuple[list[list[object]], list[str]]:
     return rows, [f"{row[0]}: {row[3]} wrong answers" for row in rows if row[3]]
 
 
+def placements() -> tuple[list[list[object]], list[str]]:
+    """Compare with the planner whether the robot is free at random configurations."""
+    random = np.random.default_rng(SEED)
+    rows: list[list[object]] = []
+    failed = []
+    for name in manifest():
+        problem = problem_of(name)
+        core, world = make_core(problem), make_world(problem, dynamic=False)
+        corners = np.concatenate([problem.obstacles.coords, [problem.start[:2], problem.goal[:2]]])
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        free = differ = 0
+        for _ in range(CONFIGURATIONS):
+            x, y = random.uniform(low, high).tolist()
+            q = (x, y, random.uniform(-math.pi, math.pi) if problem.rotation else problem.start[2])
+            ours = core.placement(q)["state"] in ("free", "touching")
+            depth = max(touched(world, q)[0].values(), default=0.0)
+            out = outside(problem.reference_bounds, np.array([q]))
+            free += ours
+            differ += ours != (max(depth, out) <= rounding(problem, np.array([q])))
+        rows.append([name, CONFIGURATIONS, free, differ])
+        print(*rows[-1], flush=True)
+        if differ:
+            failed.append(f"{name}: {differ} configurations judged otherwise by the planner")
+    return rows, failed
+
+
 def main() -> int:
-    """Replay, push, judge, write."""
+    """Replay, push, judge, place, write."""
     facts = provenance.print_provenance() | {"engine": engine_name()}
     rows, failed = replays()
     header = ["scene", "configurations", "step", "touched", "deepest", "accuracy", "doubted"]
@@ -156,6 +185,10 @@ def main() -> int:
     failed += more
     header = ["kind", "pairs", "wrong_asked_once", "wrong_asked_aside"]
     provenance.write_csv("physics_judgements.csv", facts, header, rows)
+    rows, more = placements()
+    failed += more
+    header = ["scene", "configurations", "free", "judged_otherwise"]
+    provenance.write_csv("physics_placements.csv", facts, header, rows)
     print(*failed or ["all as it should be"], sep="\n")
     return 1 if failed else 0
 

@@ -10,9 +10,10 @@ import pytest
 
 import pdg
 from planar_planner import OptionsError, load_scene, solve
+from planar_planner.core import make_core
 from planar_planner.physics import replay
 from planar_planner.physics.contacts import reported, touched
-from planar_planner.physics.replay import problem_of
+from planar_planner.physics.replay import outside, problem_of
 from planar_planner.physics.shapes import MOST_VERTICES, obstacle_shapes, robot_shapes
 from planar_planner.physics.world import make_world
 
@@ -77,6 +78,22 @@ def test_depth_agrees_with_pdg_along_a_wrong_path() -> None:
         answer = max(touched(world, tuple(q))[0].values(), default=0.0)
         assert answer == pytest.approx(depth, abs=1e-8)
     assert not found.free
+
+
+@pytest.mark.parametrize("name", ["gear", "piano", "courtyard", "fence", "slide"])
+def test_chipmunk_and_the_planner_agree_on_what_is_free(name: str) -> None:
+    problem = problem_of(name)
+    core, world = make_core(problem), make_world(problem, dynamic=False)
+    random = np.random.default_rng(5)
+    around = np.concatenate([problem.obstacles.coords, [problem.start[:2], problem.goal[:2]]])
+    states = []
+    for x, y in random.uniform(around.min(axis=0), around.max(axis=0), (60, 2)).tolist():
+        q = (x, y, random.uniform(-3.0, 3.0) if problem.rotation else problem.start[2])
+        free = core.placement(q)["state"] in ("free", "touching")
+        depth = max(touched(world, q)[0].values(), default=0.0)
+        assert free == (max(depth, outside(problem.reference_bounds, np.array([q]))) <= 1e-12)
+        states.append(free)
+    assert {True, False} == set(states)
 
 
 def test_a_thin_wall_is_not_stepped_over() -> None:
