@@ -16,7 +16,7 @@ from planar_planner.margins.bottleneck import find_bottleneck
 from planar_planner.margins.bracket import Bracket, Search
 from planar_planner.margins.ends import Ends, ends_of, scale_limit
 from planar_planner.margins.offset import Offsets
-from planar_planner.margins.result import Binding, Bottleneck, By, Margin
+from planar_planner.margins.result import Binding, NarrowPlace, By, Margin
 from planar_planner.margins.scaling import Centre, Scalings
 from planar_planner.margins.surroundings import Surroundings
 from planar_planner.options import Options
@@ -144,7 +144,7 @@ def _result(found: _Measured, around: Surroundings, seconds: float) -> Margin:
     )
 
 
-def _bottleneck(found: _Measured, around: Surroundings) -> Bottleneck | None:
+def _bottleneck(found: _Measured, around: Surroundings) -> NarrowPlace | None:
     """Look where the way, or the end that binds, has least room."""
     bracket, problem = found.bracket, found.problem
     body = bracket.lower_body
@@ -157,7 +157,7 @@ def _bottleneck(found: _Measured, around: Surroundings) -> Bottleneck | None:
     if place is None:
         return None
     q, clearance, contacts = place
-    return Bottleneck((float(q[0]), float(q[1]), float(q[2])), clearance, contacts)
+    return NarrowPlace((float(q[0]), float(q[1]), float(q[2])), clearance, contacts)
 
 
 def _frozen(path: Floats) -> Floats:

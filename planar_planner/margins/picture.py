@@ -16,7 +16,7 @@ from matplotlib.patches import Patch, PathPatch, Rectangle
 from matplotlib.path import Path
 
 from planar_planner.fields import Box
-from planar_planner.margins.result import Bottleneck, Margin
+from planar_planner.margins.result import NarrowPlace, Margin
 from planar_planner.margins.surroundings import placed, shape_of
 from planar_planner.margins.text import margin_headline
 from planar_planner.plot import INK, TRACE, draw_ends, draw_world, frame_axes, view_box
@@ -96,7 +96,7 @@ def _draw_trace(axes: Axes, margin: Margin) -> list[Artist]:
     return [Line2D([], [], color=TRACE, linewidth=1.1, label="path of the reference point")]
 
 
-def _draw_robots(axes: Axes, problem: Problem, margin: Margin, place: Bottleneck) -> list[Artist]:
+def _draw_robots(axes: Axes, problem: Problem, margin: Margin, place: NarrowPlace) -> list[Artist]:
     """Draw the robot as it is, filled, and the outline of the one that just passes."""
     style: dict[str, Any] = {"facecolor": ROBOT, "edgecolor": "none", "alpha": 0.6}
     axes.add_patch(
@@ -112,7 +112,7 @@ def _draw_robots(axes: Axes, problem: Problem, margin: Margin, place: Bottleneck
     return keys
 
 
-def _draw_contacts(axes: Axes, place: Bottleneck) -> list[Artist]:
+def _draw_contacts(axes: Axes, place: NarrowPlace) -> list[Artist]:
     """Draw the shortest ways from the robot to what is nearest."""
     for contact in place.contacts:
         (ax, ay), (bx, by) = contact.robot_point, contact.obstacle_point
@@ -124,7 +124,7 @@ def _draw_contacts(axes: Axes, place: Bottleneck) -> list[Artist]:
     return [Line2D([], [], color=CONTACT, linewidth=1.6, marker="o", markersize=4, label=label)]
 
 
-def _close_up(problem: Problem, place: Bottleneck) -> Box:
+def _close_up(problem: Problem, place: NarrowPlace) -> Box:
     """Return a square round the robot at the bottleneck."""
     low_x, low_y, high_x, high_y = placed(shape_of(problem.robot), place.configuration).bounds
     extent = max(high_x - low_x, high_y - low_y)

@@ -20,7 +20,7 @@ Binding = Literal["way", "start", "goal", "size", "none"]
 
 
 @dataclass(frozen=True)
-class Bottleneck:
+class NarrowPlace:
     """Where the largest robot that passes has least room; computed in plain doubles, not proven.
 
     Attributes
@@ -66,7 +66,7 @@ class Margin:
         robot shrunk to nothing passes, "none" if nothing does.
     start_clearance, goal_clearance : float
         Distance of the robot as it is from what is nearest to it there, rounded.
-    bottleneck : Bottleneck or None
+    bottleneck : NarrowPlace or None
         None if there is none, or no path was found.
     path : NDArray, shape (N, 3)
         For the margin `lower`; N = 0 if that is a robot without area.
@@ -91,7 +91,7 @@ class Margin:
     binding: Binding
     start_clearance: float
     goal_clearance: float
-    bottleneck: Bottleneck | None
+    bottleneck: NarrowPlace | None
     path: NDArray[np.float64]
     robot_lower: dict[str, Any] | None
     robot_upper: dict[str, Any] | None
