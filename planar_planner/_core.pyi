@@ -24,7 +24,7 @@ class Core:
     def solve(
         self,
         start: tuple[float, float, float],
-        goal: tuple[float, float, float],
+        goal: tuple[float, float, float] | tuple[_PolygonArrays, tuple[float, float] | None],
         resolution: float,
         max_cells: int,
         timeout: float,

@@ -16,6 +16,7 @@ from typing import Any
 
 from planar_planner.fields import Configuration
 from planar_planner.fingerprint import fingerprint
+from planar_planner.goal import GoalRegion
 from planar_planner.problem import Problem
 
 FORMAT = "planar-planner/certificate"
@@ -77,8 +78,12 @@ def write_certificate(content: Certificate, file: Path, name: str) -> None:
 
 def _path(problem: Problem, evidence: Mapping[str, Any], contact_tolerance: float) -> Certificate:
     waypoints = evidence["waypoints"]
-    waypoints[-1] = _turned_goal(waypoints[-1], problem.goal)
-    ends = [(waypoints[0], problem.start), (waypoints[-1], problem.goal)]
+    ends = [(waypoints[0], problem.start)]
+    if isinstance(problem.goal, GoalRegion):
+        waypoints[-1] = _turned_into(waypoints[-1], problem.goal, problem.rotation)
+    else:
+        waypoints[-1] = _turned_goal(waypoints[-1], problem.goal)
+        ends.append((waypoints[-1], problem.goal))
     moved = any((at[0], at[1]) != (end[0], end[1]) for at, end in ends)
     return {
         "contact_tolerance": contact_tolerance if moved else 0.0,
@@ -91,6 +96,16 @@ def _turned_goal(waypoint: Sequence[float], goal: Configuration) -> list[Any]:
     """Write the last angle as the goal's own, which it is up to rounding, and whole turns."""
     turns = round((waypoint[2] - goal[2]) / math.tau)
     return [waypoint[0], waypoint[1], goal[2], turns]
+
+
+def _turned_into(waypoint: Sequence[float], goal: GoalRegion, turning: bool) -> list[Any]:
+    """Write the last angle as one of the goal's interval, which it is up to rounding, and turns."""
+    x, y, theta = waypoint[:3]
+    if goal.angles is None or not turning:
+        return [x, y, theta, 0]
+    turns = round((theta - 0.5 * (goal.angles[0] + goal.angles[1])) / math.tau)
+    own = theta if turns == 0 else theta - turns * math.tau
+    return [x, y, min(max(own, goal.angles[0]), goal.angles[1]), turns]
 
 
 def _end(evidence: Mapping[str, Any]) -> Certificate:

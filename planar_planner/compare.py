@@ -28,7 +28,7 @@ from planar_planner.judge import Judge
 from planar_planner.options import Options
 from planar_planner.placement import check_placements
 from planar_planner.planner import SceneLike
-from planar_planner.problem import Problem, make_problem
+from planar_planner.problem import Problem, make_problem, point_goal
 from planar_planner.result import Result, make_result
 from planar_planner.samplers import DEFAULT_SAMPLERS, INSTALL_HINT, check_samplers
 from planar_planner.scene import Scene, load_scene
@@ -185,6 +185,7 @@ def check_scene(scene: SceneLike) -> tuple[Scene, Problem]:
     """
     loaded = scene if isinstance(scene, Scene) else load_scene(scene)
     problem = make_problem(loaded)
+    point_goal(problem, "a comparison with samplers")
     check_placements(make_core(problem), problem, 0.0)
     return loaded, problem
 

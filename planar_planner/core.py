@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from planar_planner._core import Core
+from planar_planner.goal import GoalRegion
 from planar_planner.options import Options
 from planar_planner.problem import Problem
 
@@ -42,9 +43,12 @@ def ask(
     core: Core, problem: Problem, limits: Options, listener: Listener | None = None
 ) -> dict[str, Any]:
     """Return a core's answer to a problem's own start and goal, as `make_result` takes it."""
+    goal = problem.goal
     return core.solve(
         problem.start,
-        problem.goal,
+        (goal.polygons.arrays, goal.angles if problem.rotation else None)
+        if isinstance(goal, GoalRegion)
+        else goal,
         limits.resolution,
         limits.max_cells,
         limits.timeout,

@@ -7,6 +7,7 @@ import hashlib
 import numpy as np
 from numpy.typing import ArrayLike
 
+from planar_planner.goal import GoalRegion
 from planar_planner.problem import Problem
 
 
@@ -35,5 +36,12 @@ def fingerprint(problem: Problem) -> str:
     add("reference bounds", problem.reference_bounds or ())
     add("rotation", [problem.rotation])
     add("start", problem.start)
-    add("goal", problem.goal)
+    goal = problem.goal
+    if isinstance(goal, GoalRegion):
+        add("goal points", goal.polygons.coords)
+        add("goal rings", goal.polygons.ring_starts)
+        add("goal polygons", goal.polygons.polygon_starts)
+        add("goal angles", goal.angles or ())
+    else:
+        add("goal", goal)
     return digest.hexdigest()

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from planar_planner._core import StateCheck
 from planar_planner.core import make_core
-from planar_planner.problem import Problem
+from planar_planner.problem import Problem, point_goal
 
 Soundness = Literal["sound", "collides", "unknown"]
 
@@ -75,7 +75,7 @@ class Judge:
 
     def joins(self, waypoints: NDArray[np.float64]) -> bool:
         """Whether a path runs from the problem's start to its goal, whole turns apart."""
-        ends = (self.problem.start, self.problem.goal)
+        ends = (self.problem.start, point_goal(self.problem, "a comparison with samplers"))
         return all(_same(tuple(q), end) for q, end in zip(waypoints[[0, -1]], ends, strict=True))
 
 

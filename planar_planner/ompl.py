@@ -41,7 +41,7 @@ from planar_planner.ompl_setup import (
 )
 from planar_planner.options import Options
 from planar_planner.planner import Planner, SceneLike
-from planar_planner.problem import make_problem
+from planar_planner.problem import make_problem, point_goal
 from planar_planner.result import NoPath, PathFound, Result, Undecided
 from planar_planner.scene import Scene, load_scene
 
@@ -263,7 +263,7 @@ def _in_space(scene: Scene, space: Any, *, turning: bool) -> Scene:
     """Return the scene as the space restricts it: no turning, narrower bounds."""
     problem = make_problem(scene)
     if not turning:
-        goal = [*problem.goal[:2], problem.start[2]]
+        goal = [*point_goal(problem, "OMPL")[:2], problem.start[2]]
         scene = replace(scene, rotation=False, start=list(problem.start), goal=goal)
     own = Judge(problem).check.bounds
     low, high = space.getBounds().low, space.getBounds().high

@@ -16,7 +16,7 @@ from planar_planner._core import StateCheck
 from planar_planner.fields import Configuration
 from planar_planner.judge import Judge, unwrapped
 from planar_planner.planner import SceneLike
-from planar_planner.problem import Problem, make_problem
+from planar_planner.problem import Problem, make_problem, point_goal
 from planar_planner.samplers import check_samplers, import_ompl
 from planar_planner.scene import Scene, load_scene
 
@@ -58,7 +58,7 @@ class Setup:
         """Return an OMPL ProblemDefinition with the scene's start and goal."""
         definition = base.ProblemDefinition(self.information)
         definition.setStartAndGoalStates(
-            self.state(self.problem.start), self.state(self.problem.goal)
+            self.state(self.problem.start), self.state(point_goal(self.problem, "OMPL"))
         )
         return definition
 

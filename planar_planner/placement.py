@@ -6,20 +6,21 @@ from typing import Any
 
 from planar_planner._core import Core
 from planar_planner.errors import SceneError
-from planar_planner.problem import Problem
+from planar_planner.problem import Problem, ends
 
 
 def check_placements(core: Core, problem: Problem, contact_tolerance: float) -> None:
     """Reject a start or goal where the robot collides or is outside its bounds.
 
-    Touching is legal. A depth up to `contact_tolerance` (length) counts as touching.
+    A region may lie in collision, wholly or in part: that is for the planner to find out. Touching
+    is legal. A depth up to `contact_tolerance` (length) counts as touching.
 
     Raises
     ------
     SceneError
         With the obstacle and how deep the robot is in it, or how far it is outside.
     """
-    for field, q in (("start", problem.start), ("goal", problem.goal)):
+    for field, q in ends(problem).items():
         found = core.placement(q)
         if found["state"] in ("colliding", "outside") and found["depth"] > contact_tolerance:
             raise SceneError(explanation(found, problem), field, str(list(q)), problem.source)

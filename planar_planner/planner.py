@@ -16,6 +16,7 @@ from planar_planner.cells import Cells, make_cells
 from planar_planner.certificate import make_certificate
 from planar_planner.core import Listener, ask, make_core
 from planar_planner.errors import SceneError
+from planar_planner.goal import GoalRegion
 from planar_planner.options import Options
 from planar_planner.placement import check_placements
 from planar_planner.problem import Problem, make_problem, with_query
@@ -88,7 +89,7 @@ class Planner:
     def solve(
         self,
         start: Sequence[float] | None = None,
-        goal: Sequence[float] | None = None,
+        goal: Sequence[float] | Mapping[str, Any] | str | GoalRegion | None = None,
         options: Options | None = None,
         *,
         listener: Listener | None = None,
@@ -98,8 +99,10 @@ class Planner:
 
         Parameters
         ----------
-        start, goal : (x, y, theta), optional
-            Configurations instead of the scene's own; theta in radians.
+        start : (x, y, theta), optional
+            Configuration instead of the scene's own; theta in radians.
+        goal : (x, y, theta), mapping or "escape", optional
+            Goal instead of the scene's own, in any form that a scene file may use.
         options, listener, certificate : optional
             As for `planar_planner.solve`.
 
@@ -111,7 +114,8 @@ class Planner:
         Raises
         ------
         SceneError
-            If start or goal is no configuration, collides or is out of bounds.
+            If start or goal is of no legal form, or a configuration that collides or is out of
+            bounds.
         RuntimeError
             If a query of this planner is being answered, by another thread or around the listener.
         """

@@ -8,7 +8,6 @@ reference point, or both. Whether start and goal are free is asked of the core
 
 from __future__ import annotations
 
-import math
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
@@ -20,41 +19,21 @@ from numpy.typing import NDArray
 from planar_planner import fields
 from planar_planner.errors import SceneError, shown
 from planar_planner.fields import Box, Configuration
+from planar_planner.goal import (
+    Goal,
+    GoalRegion,
+    Surroundings,
+    allows_angle,
+    is_region,
+    read_region,
+)
 from planar_planner.limits import MAX_ROBOT_VERTICES
+from planar_planner.polygons import Polygons
 from planar_planner.raw_polygons import read_polygons
-from planar_planner.scene import Scene
+from planar_planner.scene import Scene, plain_json
 from planar_planner.validity import Judge, clean_polygons, judged_exactly
 
-
-@dataclass(frozen=True, eq=False)
-class Polygons:
-    """Valid polygons as flat, read-only, contiguous arrays; the form the core takes.
-
-    Attributes
-    ----------
-    coords : NDArray of float64, shape (N, 2)
-        Vertices; rings are closed without a repeated last vertex, of any orientation.
-    ring_starts : NDArray of uint32, shape (R + 1,)
-        Ring r is ``coords[ring_starts[r]:ring_starts[r + 1]]``.
-    polygon_starts : NDArray of uint32, shape (P + 1,)
-        Polygon p has the rings ``polygon_starts[p]:polygon_starts[p + 1]``: outer one, then holes.
-    """
-
-    coords: NDArray[np.float64]
-    ring_starts: NDArray[np.uint32]
-    polygon_starts: NDArray[np.uint32]
-
-    def __post_init__(self) -> None:
-        for array in self.arrays:
-            array.setflags(write=False)
-
-    @property
-    def arrays(self) -> tuple[NDArray[np.float64], NDArray[np.uint32], NDArray[np.uint32]]:
-        """The three arrays, as the core takes them."""
-        return self.coords, self.ring_starts, self.polygon_starts
-
-    def __len__(self) -> int:
-        return len(self.polygon_starts) - 1
+__all__ = ["Polygons", "Problem", "at_end_of", "ends", "make_problem", "point_goal", "with_query"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,8 +60,10 @@ class Problem:
         The reference point stays inside.
     rotation : bool
         Whether the robot may turn. If not, start and goal have the same theta.
-    start, goal : (x, y, theta)
-        Configurations of the robot's frame in the world.
+    start : (x, y, theta)
+        Configuration of the robot's frame in the world.
+    goal : (x, y, theta) or GoalRegion
+        A configuration, or a set of them.
     """
 
     name: str
@@ -96,7 +77,7 @@ class Problem:
     reference_bounds: Box | None
     rotation: bool
     start: Configuration
-    goal: Configuration
+    goal: Goal
 
 
 def make_problem(scene: Scene, judge: Judge = judged_exactly) -> Problem:
@@ -122,14 +103,26 @@ def make_problem(scene: Scene, judge: Judge = judged_exactly) -> Problem:
         obstacles = clean_polygons(read_polygons(_listed(scene.obstacles, "obstacles")), judge)
         rotation = fields.truth(scene.rotation, "rotation")
         start = fields.configuration(scene.start, "start")
-        goal = _reachable_goal(rotation, start, fields.configuration(scene.goal, "goal"))
+        robot_arrays = Polygons(robot.coords, robot.ring_starts, robot.polygon_starts)
+        obstacle_arrays = Polygons(
+            obstacles.coords, obstacles.ring_starts, obstacles.polygon_starts
+        )
+        around = Surroundings(
+            robot_arrays, obstacle_arrays, workspace_box, workspace, reference_bounds, judge
+        )
+        goal: Goal
+        if is_region(scene.goal):
+            goal = read_region(scene.goal, around)
+        else:
+            goal = fields.configuration(scene.goal, "goal")
+        goal = _reachable_goal(rotation, start, goal)
     except SceneError as error:
         raise error.in_source(scene.source) from None
     return Problem(
         name=scene.name,
         source=scene.source,
-        robot=Polygons(robot.coords, robot.ring_starts, robot.polygon_starts),
-        obstacles=Polygons(obstacles.coords, obstacles.ring_starts, obstacles.polygon_starts),
+        robot=robot_arrays,
+        obstacles=obstacle_arrays,
         obstacle_paths=obstacles.paths,
         obstacle_indices=obstacles.owners,
         workspace_box=workspace_box,
@@ -154,17 +147,64 @@ def with_query(problem: Problem, start: Any = None, goal: Any = None) -> Problem
     Raises
     ------
     SceneError
-        If a value is not three finite numbers, or the theta differ where turning is forbidden.
+        If a start is not three finite numbers, a goal is none either and no region, or the theta
+        differ where turning is forbidden.
     """
     if start is None and goal is None:
         return problem
     try:
         new_start = problem.start if start is None else _given(start, "start")
-        new_goal = problem.goal if goal is None else _given(goal, "goal")
+        new_goal: Goal = problem.goal
+        if isinstance(goal, GoalRegion):
+            new_goal = goal
+        elif is_region(goal):
+            new_goal = read_region(
+                fields.mapping(plain_json({"goal": goal}), "")["goal"], _surroundings(problem)
+            )
+        elif goal is not None:
+            new_goal = _given(goal, "goal")
         new_goal = _reachable_goal(problem.rotation, new_start, new_goal)
     except SceneError as error:
         raise error.in_source(problem.source) from None
     return replace(problem, start=new_start, goal=new_goal)
+
+
+def ends(problem: Problem) -> dict[str, Configuration]:
+    """Return the start, and the goal if it is a configuration, by name."""
+    if isinstance(problem.goal, GoalRegion):
+        return {"start": problem.start}
+    return {"start": problem.start, "goal": problem.goal}
+
+
+def point_goal(problem: Problem, user: str) -> Configuration:
+    """Return the goal for a user who can do with a configuration only.
+
+    Raises
+    ------
+    SceneError
+        If the goal is a region.
+    """
+    if isinstance(problem.goal, GoalRegion):
+        raise SceneError(
+            f"is a region; {user} needs a configuration [x, y, theta]", "goal", "", problem.source
+        )
+    return problem.goal
+
+
+def at_end_of(problem: Problem, path: Any) -> Problem:
+    """Return the problem with the end of a path as its goal, if its goal is a region."""
+    return with_query(problem, goal=path[-1]) if isinstance(problem.goal, GoalRegion) else problem
+
+
+def _surroundings(problem: Problem) -> Surroundings:
+    return Surroundings(
+        problem.robot,
+        problem.obstacles,
+        problem.workspace_box,
+        problem.workspace,
+        problem.reference_bounds,
+        judged_exactly,
+    )
 
 
 def _given(value: Any, field: str) -> Configuration:
@@ -217,7 +257,7 @@ def _listed(value: Any, field: str) -> Iterable[tuple[str, object]]:
     return ((f"{field}[{i}]", geometry) for i, geometry in enumerate(value))
 
 
-def _reachable_goal(rotation: bool, start: Configuration, goal: Configuration) -> Configuration:
+def _reachable_goal(rotation: bool, start: Configuration, goal: Goal) -> Goal:
     """Without rotation, demand start's theta up to whole turns, and return the goal with just that.
 
     No double but 0 is a multiple of 2π, so "whole turns" is up to rounding: the double nearest to
@@ -226,9 +266,18 @@ def _reachable_goal(rotation: bool, start: Configuration, goal: Configuration) -
     """
     if rotation:
         return goal
-    difference = math.remainder(goal[2] - start[2], math.tau)
+    unit = 2 * sys.float_info.epsilon
+    if isinstance(goal, GoalRegion):
+        largest = max(map(abs, (start[2], *(goal.angles or ()))))
+        if not allows_angle(goal.angles, start[2], unit * largest):
+            raise SceneError(
+                f"must hold theta of start ({start[2]!r}), since rotation is false",
+                "goal.theta",
+                str(list(goal.angles or ())),
+            )
+        return goal
     largest = max(abs(start[2]), abs(goal[2]))
-    if abs(difference) > 2 * sys.float_info.epsilon * largest:
+    if not allows_angle((goal[2], goal[2]), start[2], unit * largest):
         raise SceneError(
             f"theta must equal that of start ({start[2]!r}), since rotation is false",
             "goal[2]",

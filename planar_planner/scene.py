@@ -45,8 +45,11 @@ class Scene:
         GeoJSON Polygon or MultiPolygon in the robot's frame.
     obstacles : Any
         List of GeoJSON geometries, world frame.
-    start, goal : Any
+    start : Any
         ``[x, y, theta]``, theta in radians.
+    goal : Any
+        The same, or a set of configurations: ``{"region": Polygon, "theta": [lo, hi]}``,
+        ``{"escape": Polygon}`` or ``"escape"``.
     rotation : Any
         False forbids turning; start and goal then have the same theta.
     source : str
@@ -117,7 +120,7 @@ def load_scene(
     """
     options = importing or ImportOptions()
     if isinstance(scene, Mapping):
-        return _with_ends(_checked(_plain_json(scene), "<dict>", "scene"), options)
+        return _with_ends(_checked(plain_json(scene), "<dict>", "scene"), options)
     if isinstance(scene, str):
         known = builtin_scenes()
         if scene in known:
@@ -223,7 +226,7 @@ def _without_duplicates(pairs: list[tuple[str, object]]) -> dict[str, object]:
     return result
 
 
-def _plain_json(content: Mapping[str, Any]) -> object:
+def plain_json(content: Mapping[str, Any]) -> object:
     """Return a copy of `content` in lists, dicts and numbers, as if it were read from a file."""
     try:
         text = json.dumps(dict(content), default=_plain_value)

@@ -20,6 +20,8 @@ from typing import Any, NamedTuple
 
 from planar_planner.certificate_form import LEVELS, UNIT, Finding, Source, read_certificate, units
 from planar_planner.fingerprint import fingerprint
+from planar_planner.goal import GoalRegion
+from planar_planner.goal_check import GoalArea
 from planar_planner.problem import Polygons, Problem, make_problem
 from planar_planner.scene import Scene, load_scene
 from planar_planner.validity import judged_by_geos
@@ -228,7 +230,7 @@ class Case:
     bounds: dict[str, Edge]  # of the reference point
     turning: bool
     start: Pose
-    goal: Pose
+    goal: Pose | GoalArea
     pieces: dict[str, dict[str, list[Piece]]]
 
     def pair(self, place: str, pair: Pair) -> dict[str, Piece]:
@@ -277,10 +279,20 @@ def make_case(problem: Problem, content: Mapping[str, Any]) -> Case:
         larger = all(map(int.__lt__, outside[:2] + walls[2:], walls[:2] + outside[2:]))
         demand(larger, "outside", "does not hold the workspace in its interior")
         obstacles += [[frame, outer[::-1]], *([hole[::-1]] for hole in holes)]
-    start, goal = (((units(x), units(y)), theta) for x, y, theta in (problem.start, problem.goal))
+
+    def pose(x: float, y: float, theta: float) -> Pose:
+        return (units(x), units(y)), theta
+
+    goal: Pose | GoalArea
+    if isinstance(problem.goal, GoalRegion):
+        angles = problem.goal.angles if problem.rotation else None
+        goal = GoalArea(list(polygons(problem.goal.polygons)), angles)
+    else:
+        goal = pose(*problem.goal)
     owned = {"robot": polygons(problem.robot), "obstacle": obstacles}
     numbered = {o: {str(i): shape for i, shape in enumerate(of)} for o, of in owned.items()}
     pieces: Any = {owner: {} for owner in OTHER}
+    start = pose(*problem.start)
     return Case(numbered, edges(walls), edges(bounds), problem.rotation, start, goal, pieces)
 
 
@@ -459,8 +471,9 @@ def extent(place: str, domain: Domain, box: Box, axis: int = -1) -> Extent:
 
 
 def check_ends(domain: Domain, inside: list[Box]) -> None:
-    """Check that the start lies in a box of its side, the goal in none."""
+    """Check that the start lies in a box of its side, the goal, or any of a region, in none."""
     case, low, size = domain
+    goal = case.goal
 
     # Three, a turn apart, in parts of the domain. No angle but 0 is on a box's boundary, so angles
     # need not be exact.
@@ -471,14 +484,27 @@ def check_ends(domain: Domain, inside: list[Box]) -> None:
         error = Fraction(1 if theta else 0, 1 << 180)
         return [[*exact, (turns + n - error, turns + n + error)] for n in (-1, 0, 1)]
 
-    start, goal, held = places(case.start), places(case.goal), False
+    start, held = places(case.start), False
+    goal_at = [] if isinstance(goal, GoalArea) else places(goal)
     for i, box in enumerate(inside):
         spans = [(Fraction(k, 1 << level), Fraction(k + 1, 1 << level)) for level, k in box]
-        starts, goals = ([list(zip(spans, p, strict=True)) for p in ps] for ps in (start, goal))
+        starts, goals = ([list(zip(spans, p, strict=True)) for p in ps] for ps in (start, goal_at))
         held = held or any(all(a <= u and v <= b for (a, b), (u, v) in each) for each in starts)
         apart = all(any(v < a or b < u for (a, b), (u, v) in each) for each in goals)
+        if isinstance(goal, GoalArea):
+            at = extent(f"start_side[{i}]", domain, box)
+            apart = not (has_angle(goal, spans[2]) and goal.meets(_region(at.corners)))
         demand(apart, f"start_side[{i}]", "may hold the goal")
     demand(held, "start_side", "does not hold the start")
+
+
+def has_angle(goal: GoalArea, span: tuple[Fraction, Fraction]) -> bool:
+    """Whether some angle of a region may lie in a span of turns."""
+    if goal.angles is None:
+        return True
+    low, high = (Fraction(fixed(Fraction(a), Fraction()), 2 * PI) for a in goal.angles)
+    low, high, error = low % 1, high - low + low % 1, Fraction(1, 1 << 180)
+    return any(low + n - error <= span[1] and span[0] <= high + n + error for n in (-1, 0, 1))
 
 
 def check_cover(inside: list[Box], full: list[Any], faces: list[Any]) -> None:
@@ -536,14 +562,18 @@ def check_disc(case: Case, content: Mapping[str, Any]) -> int:
         demand(not near, "disc", "is not inside that piece")
     polygons = case.polygons | {"robot": {"0": [disc]}}
     pieces = case.pieces | {"robot": {"0": [convex_piece("disc", disc, obstacle=False)]}}
-    start, goal = (case.start[0], 0.0), (case.goal[0], 0.0)
+    start = case.start[0], 0.0
+    goal = GoalArea(case.goal[0], None) if isinstance(case.goal, GoalArea) else (case.goal[0], 0.0)
     smaller = Case(polygons, case.walls, case.bounds, False, start, goal, pieces)
     return check_separation(smaller, content)
 
 
 def check_end(case: Case, content: Mapping[str, Any]) -> int:
     """Check that the start or the goal is not free."""
-    t, theta = case.start if content["end"] == "start" else case.goal
+    end = case.start if content["end"] == "start" else case.goal
+    if isinstance(end, GoalArea):
+        raise Rejected("end", "is a region, not a configuration")
+    t, theta = end
     if "reference_bounds" in content:
         demand(not case.in_bounds(t), "reference_bounds", "the reference point is not outside")
     else:
@@ -571,7 +601,12 @@ def check_path(case: Case, content: Mapping[str, Any]) -> int:
     follow = len(waypoints) == len(segments) + 1 > 1
     demand(follow, "segments", "do not lead from waypoint to waypoint")
     demand(waypoints[0][3] == 0, "waypoints[0]", "has turns")
-    for k, (t, theta) in ((0, case.start), (-1, case.goal)):
+    ends = [(0, case.start)]
+    if isinstance(case.goal, GoalArea):
+        check_arrival(case.goal, waypoints[-1])
+    else:
+        ends.append((-1, case.goal))
+    for k, (t, theta) in ends:
         way, tolerance = _minus(waypoints[k][:2], t), Fraction(content["contact_tolerance"])
         demand(_dot(way, way) <= (tolerance * ONE) ** 2, f"waypoints[{k}]", "is elsewhere")
         demand(waypoints[k][2] == theta, f"waypoints[{k}]", "has another theta")
@@ -580,11 +615,19 @@ def check_path(case: Case, content: Mapping[str, Any]) -> int:
         still = case.turning or (theta, turns) == (case.start[1], 0)
         demand(still, f"waypoints[{i}]", "turns a robot that may not turn")
     for i, intervals in enumerate(segments):
-        ends = [0, *(interval["to"] for interval in intervals)]
-        chained = ends == [*(interval["from"] for interval in intervals), ONE]
+        parts = [0, *(interval["to"] for interval in intervals)]
+        chained = parts == [*(interval["from"] for interval in intervals), ONE]
         demand(chained, f"segments[{i}]", "the intervals do not lead from 0 to 1")
         check_segment(case, f"segments[{i}]", waypoints[i : i + 2], intervals)
     return sum(len(interval["apart"]) for intervals in segments for interval in intervals)
+
+
+def check_arrival(goal: GoalArea, waypoint: Waypoint) -> None:
+    """Check that a path ends in the region; theta as the region writes it, with any turns."""
+    x, y, theta, _ = waypoint
+    demand(goal.holds((x, y)), "waypoints[-1]", "is outside the goal")
+    turned = goal.angles is None or goal.angles[0] <= theta <= goal.angles[1]
+    demand(turned, "waypoints[-1]", "has a theta that is no goal's")
 
 
 def check_segment(case: Case, place: str, ends: list[Waypoint], intervals: list[Any]) -> None:

@@ -67,6 +67,10 @@ inline constexpr double kHullDistanceUnits = 16.0 * PDG_MARGIN_SCALE;
 // rounding of the bounds (1), of corner and size (5).
 inline constexpr double kDomainUnits = 8.0 * PDG_MARGIN_SCALE;
 
+// A cell's corner in the user's units, in units of u times its own magnitude and that of the domain
+// and its size: product and sum 1 each, frame 1, the sum that moves it outwards 1.
+inline constexpr double kCornerUnits = 4.0 * PDG_MARGIN_SCALE;
+
 // Relative slack of the discs that stand for a nearly round robot, in u: libm's cos (2), product
 // and radii (3).
 inline constexpr double kDiscUnits = 16.0;

@@ -21,7 +21,7 @@ from planar_planner.label_colours import LABEL_COLOURS
 from planar_planner.motion import Floats, reach, travel
 from planar_planner.pictures.style import BOUNDS, GOAL, START
 from planar_planner.plot import MIDWAY, view_box
-from planar_planner.problem import Polygons, Problem
+from planar_planner.problem import Polygons, Problem, point_goal
 from planar_planner.report import headline
 
 FORMAT = "planar-planner/animation"
@@ -69,7 +69,7 @@ def page_material(
         "world": _world(problem, result.path),
         "robot": _rings(problem.robot),
         "start": _rounded(problem.start),
-        "goal": _rounded(problem.goal),
+        "goal": _rounded(point_goal(problem, "a page without a path")),
         "path": [_rounded(q) for q in result.path.tolist()],
         "travel": _rounded(along.tolist()),
         "seconds": pace.duration(length),

@@ -17,7 +17,7 @@ from planar_planner.animation.slice_image import SliceImage
 from planar_planner.animation.stage import make_stage
 from planar_planner.cells import LABELS, Cells
 from planar_planner.plot import INK, polygon_paths, title_of
-from planar_planner.problem import Problem
+from planar_planner.problem import Problem, ends
 from planar_planner.result import Result
 
 OBSTACLES_ZORDER = 1.0  # in planar_planner.plot; what is below is background
@@ -64,7 +64,8 @@ def sweep_frames(
     axes.set(xlim=limits[0], ylim=limits[1])  # imshow has moved them
     shape = Path.make_compound_path(*polygon_paths(problem.robot))
     turning = [
-        PathPatch(shape, facecolor="none", edgecolor=INK, linewidth=1.2, zorder=8) for _ in range(2)
+        PathPatch(shape, facecolor="none", edgecolor=INK, linewidth=1.2, zorder=8)
+        for _ in ends(problem)
     ]
     for patch in turning:
         axes.add_patch(patch)
@@ -73,7 +74,7 @@ def sweep_frames(
     count = pace.moving_frames(math.tau)
     for theta in np.linspace(0.0, math.tau, count, endpoint=False):
         image.set_data(picture.at(float(theta)))
-        for patch, q in zip(turning, (problem.start, problem.goal), strict=True):
+        for patch, q in zip(turning, ends(problem).values(), strict=True):
             patch.set_transform(Affine2D().rotate(theta).translate(q[0], q[1]) + axes.transData)
         stage.status.set_text(f"cells at θ = {math.degrees(theta):.0f}°")
         yield backdrop.frame()

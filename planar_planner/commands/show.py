@@ -10,6 +10,7 @@ from planar_planner.builtin import manifest
 from planar_planner.commands.scene_input import scene_of
 from planar_planner.errors import one_line
 from planar_planner.fields import Configuration
+from planar_planner.goal import Goal, GoalRegion
 from planar_planner.json_output import json_output
 from planar_planner.output import check_writable, emit, written_aside
 from planar_planner.problem import Problem, make_problem
@@ -75,7 +76,7 @@ def description(scene: Scene, problem: Problem) -> str:
         lines.append(f"  workspace: polygon, {len(problem.workspace.coords)} vertices")
     if problem.reference_bounds is not None:
         lines.append(f"  reference point in: {list(problem.reference_bounds)}")
-    lines.append(f"  start: {_text(problem.start)}, goal: {_text(problem.goal)}")
+    lines.append(f"  start: {_text(problem.start)}, goal: {_goal_text(problem.goal)}")
     if not problem.rotation:
         lines.append("  the robot may not turn")
     entry = manifest().get(scene.source)
@@ -84,6 +85,15 @@ def description(scene: Scene, problem: Problem) -> str:
             f"  expected: {entry['expected'].replace('_', ' ')}; origin: {entry['origin']}"
         )
     return "\n".join(lines)
+
+
+def _goal_text(goal: Goal) -> str:
+    if not isinstance(goal, GoalRegion):
+        return _text(goal)
+    if goal.left is not None:
+        return f"outside a polygon of {len(goal.left.coords)} vertices"
+    angles = "" if goal.angles is None else f", theta in [{goal.angles[0]:g}, {goal.angles[1]:g}]"
+    return f"a region of {len(goal.polygons)} polygon(s){angles}"
 
 
 def _text(q: Configuration) -> str:

@@ -9,6 +9,7 @@ from planar_planner import fields
 from planar_planner.errors import SceneError
 from planar_planner.formats.parts import Parts
 from planar_planner.formats.shapes import shapes_of_geometry
+from planar_planner.goal import is_region
 
 
 def parts_of(content: Mapping[str, Any]) -> Parts:
@@ -19,6 +20,8 @@ def parts_of(content: Mapping[str, Any]) -> Parts:
     SceneError
         On what the gate would not accept either; without a source.
     """
+    if is_region(content["goal"]):
+        raise SceneError("is a region; only scene files hold those", "goal")
     parts = Parts(
         obstacles=[
             shape

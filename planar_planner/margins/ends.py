@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 from planar_planner._core import Core
 from planar_planner.core import make_core
 from planar_planner.errors import SceneError
-from planar_planner.fields import Configuration
 from planar_planner.limits import MAX_COORDINATE
 from planar_planner.margins.scaling import Scalings
 from planar_planner.margins.surroundings import Surroundings, placed, shape_of
 from planar_planner.placement import explanation
-from planar_planner.problem import Problem
+from planar_planner.problem import Problem, point_goal
+from planar_planner.problem import ends as both_ends
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def ends_of(problem: Problem, core: Core, around: Surroundings) -> Ends:
     """
     found = {}
     shape = shape_of(problem.robot)
-    for name, q in (("start", problem.start), ("goal", problem.goal)):
+    for name, q in (("start", problem.start), ("goal", point_goal(problem, "a margin"))):
         placement = core.placement(q)
         if placement["what"] == "reference_bounds":
             raise SceneError(explanation(placement, problem), name, str(list(q)), problem.source)
@@ -55,7 +55,7 @@ def ends_of(problem: Problem, core: Core, around: Surroundings) -> Ends:
     binding = min(found, key=lambda name: found[name])
     if not math.isfinite(found[binding]):
         return Ends(math.inf, math.inf, math.inf, "none")
-    slack = max(around.rounding(problem.robot, q) for q in (problem.start, problem.goal))
+    slack = max(around.rounding(problem.robot, q) for q in both_ends(problem).values())
     return Ends(found["start"], found["goal"], found[binding] + slack, binding)
 
 
@@ -86,5 +86,5 @@ def _blocked_end(problem: Problem, family: Scalings, low: float, high: float) ->
     if body.polygons is None:
         return None
     core = make_core(replace(problem, robot=body.polygons))
-    ends: list[tuple[str, Configuration]] = [("start", problem.start), ("goal", problem.goal)]
-    return next((name for name, q in ends if core.placement(q)["state"] == "colliding"), None)
+    both = both_ends(problem).items()
+    return next((name for name, q in both if core.placement(q)["state"] == "colliding"), None)

@@ -6,12 +6,14 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
 #include <array>
 #include <optional>
 #include <string>
 #include <tuple>
+#include <variant>
 #include <vector>
 
 #include "bindings_build.hpp"
@@ -33,6 +35,9 @@ using Starts = nb::ndarray<const std::uint32_t, nb::ndim<1>, nb::c_contig, nb::d
 using Path = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 using PolygonArrays = std::tuple<Points, Starts, Starts>;
 using Box = std::array<double, 4>;
+// A configuration, or polygons and the two ends of an interval of theta.
+using GoalArrays = std::variant<std::array<double, 3>,
+                                std::tuple<PolygonArrays, std::optional<std::array<double, 2>>>>;
 
 PolygonSet polygons(const PolygonArrays& arrays) {
   const auto& [points, rings, starts] = arrays;
@@ -52,6 +57,15 @@ std::optional<Rectangle> rectangle(const std::optional<Box>& box) {
 
 Configuration configuration(const std::array<double, 3>& q) {
   return {q[0], q[1], q[2]};
+}
+
+planner::Goal goal_of(const GoalArrays& arrays) {
+  if (const auto* const q = std::get_if<std::array<double, 3>>(&arrays)) return configuration(*q);
+  const auto& [region, angles] = std::get<1>(arrays);
+  planner::GoalSet set;
+  set.polygons = polygons(region);
+  if (angles) set.angles = {(*angles)[0], (*angles)[1]};
+  return set;
 }
 
 planner::Scene scene_of(const PolygonArrays& robot, const PolygonArrays& obstacles,
@@ -189,15 +203,16 @@ bool ask_python(const nb::object& listener, const planner::Progress& p) {
 }
 
 nb::dict solve(planner::Planner& planner, const std::array<double, 3>& start,
-               const std::array<double, 3>& goal, const double resolution,
-               const std::uint64_t max_cells, const double timeout, const std::uint64_t max_memory,
-               const double contact_tolerance, const nb::object& listener) {
+               const GoalArrays& goal, const double resolution, const std::uint64_t max_cells,
+               const double timeout, const std::uint64_t max_memory, const double contact_tolerance,
+               const nb::object& listener) {
   const planner::Limits limits{resolution, max_cells, timeout, max_memory, contact_tolerance};
   const planner::Listener ask = [&](const planner::Progress& p) { return ask_python(listener, p); };
+  const planner::Goal to = goal_of(goal);
   planner::Answer answer;
   {
     const nb::gil_scoped_release release;
-    answer = planner.solve(configuration(start), configuration(goal), limits, ask);
+    answer = planner.solve(configuration(start), to, limits, ask);
   }
   constexpr std::array<const char*, 3> verdicts{"path", "no_path", "undecided"};
   nb::dict out;

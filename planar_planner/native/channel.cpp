@@ -46,9 +46,16 @@ void ChannelSearch::reset(const CellId start, const CellId goal) {
   meetings_ = {};
 }
 
+void ChannelSearch::reset(const CellId start, const Roots& goals) {
+  doubtful_.clear();
+  from_start_.reset(start);
+  from_goal_.reset(goals);
+  meetings_ = {};
+}
+
 void ChannelSearch::rebuild() {
-  from_start_.reset(start());
-  from_goal_.reset(goal());
+  from_start_.rebuild();
+  from_goal_.rebuild();
   meetings_ = {};
 }
 

@@ -26,17 +26,20 @@ class ChannelSearch {
 
   // Starts anew between two leaves.
   void reset(CellId start, CellId goal);
+  // To any of a set of goals, kept by the caller.
+  void reset(CellId start, const Roots& goals);
   // Builds both trees from scratch on the present graph.
   void rebuild();
 
   // A leaf is about to be split, and has been: its lower half keeps its id; `start` and `goal` are
-  // the leaves that hold the ends afterwards.
+  // the leaves that hold the ends afterwards. A set of goals has been brought up to date.
   void before_split(CellId cell);
   void after_split(CellId lower, CellId upper, CellId start, CellId goal);
   // Other changes of the graph, told after they happened.
   void on_exhausted(CellId cell);
   void on_disconnected(CellId a, CellId b);
   void on_doubtful(CellId a, CellId b);
+  void on_goal_lost(CellId cell) { from_goal_.on_root_lost(cell); }
 
   // False: start and goal are not connected.
   bool find(std::vector<CellId>& channel);
@@ -45,6 +48,7 @@ class ChannelSearch {
   [[nodiscard]] bool passes_barrier(const std::vector<CellId>& channel) const;
 
   [[nodiscard]] CellId start() const { return from_start_.root(); }
+  // kNoCell for a set of goals.
   [[nodiscard]] CellId goal() const { return from_goal_.root(); }
   [[nodiscard]] std::size_t bytes() const;
 

@@ -24,12 +24,27 @@ std::size_t DistanceTree::bytes() const {
 
 void DistanceTree::reset(const CellId root) {
   root_ = root;
+  roots_ = nullptr;
+  rebuild();
+}
+
+void DistanceTree::reset(const Roots& roots) {
+  root_ = kNoCell;
+  roots_ = &roots;
+  rebuild();
+}
+
+void DistanceTree::rebuild() {
   nodes_.resize(subdivision_.size());
   for (CellId id = 0; id < nodes_.size(); ++id) refresh(id);
   open_ = {};
   orphans_ = {};
   changed_.clear();
-  raised_ = {root};
+  raised_.clear();
+  if (roots_ == nullptr) raised_.push_back(root_);
+  if (roots_ == nullptr) return;
+  for (CellId id = 0; id < nodes_.size(); ++id)
+    if ((*roots_)[id]) raised_.push_back(id);
 }
 
 void DistanceTree::refresh(const CellId cell) {
@@ -82,7 +97,7 @@ void DistanceTree::after_split(const CellId lower, const CellId upper, const Cel
   }
   // At once, so that the parent's successors can stay where they are; the sibling may follow.
   bool lower_first = cheapest_step(lower).key <= cheapest_step(upper).key;
-  if (root == lower || root == upper) lower_first = root == lower;
+  if (roots_ == nullptr && (root == lower || root == upper)) lower_first = root == lower;
   for (const CellId half : {lower_first ? lower : upper, lower_first ? upper : lower}) {
     const Step step = cheapest_step(half);
     if (step.key < kUnreached)
@@ -100,6 +115,10 @@ void DistanceTree::on_exhausted(const CellId cell) {
 void DistanceTree::on_link_lost(const CellId a, const CellId b) {
   if (nodes_[a].predecessor == b) orphan(a);
   if (nodes_[b].predecessor == a) orphan(b);
+}
+
+void DistanceTree::on_root_lost(const CellId cell) {
+  orphan(cell);
 }
 
 // A reached neighbour that is nearer than the orphan was cannot hang below it.
@@ -120,15 +139,25 @@ bool DistanceTree::adopt(const CellId cell, const float old_distance) {
   return true;
 }
 
+// One of several roots that is not reached: at once, whatever its cost.
+bool DistanceTree::settle_root(const CellId cell) {
+  if (roots_ == nullptr || !is_root(cell) || reached(cell) || nodes_[cell].cost < 0.0F)
+    return false;
+  settle(cheapest_step(cell));
+  return true;
+}
+
 void DistanceTree::begin_round() {
-  for (const CellId cell : raised_) offer(cell);
+  for (const CellId cell : raised_)
+    if (!settle_root(cell)) offer(cell);
   raised_.clear();
   open_.sweep([&](const Step& step) {
     const Node& node = nodes_[step.cell];
     return step.key == node.queued && step.key < node.distance;
   });
-  // The root is reached before anything is asked: a tree that cannot grow is then a component.
-  if (!reached(root_)) settle({0.0F, root_, kNoCell});
+  // Roots are reached before anything is asked: a tree that cannot grow is then a component, or all
+  // components of several roots.
+  if (roots_ == nullptr && !reached(root_)) settle({0.0F, root_, kNoCell});
 }
 
 // Hangs the nearest orphan below another neighbour, or gives it and then its branch up.
@@ -137,14 +166,14 @@ void DistanceTree::mend_next() {
   orphans_.pop();
   if (reached(lost.cell) || nodes_[lost.cell].cost < 0.0F) return;
   ++statistics_.search_expansions;
-  if (lost.cell != root_ && adopt(lost.cell, lost.key)) {
+  if (!is_root(lost.cell) && adopt(lost.cell, lost.key)) {
     // Unreached neighbours may have been looked at while this one was lost.
     for (const CellId next : subdivision_.cell(lost.cell).neighbours)
       if (!reached(next)) tell(next, lost.cell);
     return;
   }
   orphan_successors(lost.cell);
-  offer(lost.cell);
+  if (!settle_root(lost.cell)) offer(lost.cell);
 }
 
 bool DistanceTree::sound(const CellId cell) {
@@ -164,7 +193,7 @@ void DistanceTree::tell(const CellId next, const CellId by) {
 DistanceTree::Step DistanceTree::cheapest_step(const CellId cell) const {
   Step best{kUnreached, cell, kNoCell};
   if (nodes_[cell].cost < 0.0F) return best;
-  if (cell == root_) return {0.0F, cell, kNoCell};
+  if (is_root(cell)) return {roots_ == nullptr ? 0.0F : nodes_[cell].cost, cell, kNoCell};
   for (const CellId next : subdivision_.cell(cell).neighbours) {
     if (nodes_[next].distance == kUnreached) continue;
     const float key = nodes_[next].distance + step_cost(next, cell);
@@ -183,7 +212,7 @@ void DistanceTree::offer(const CellId cell) {
 
 // Is the step's way in still as good as its key says? Ids are used again, so adjacency is checked.
 bool DistanceTree::holds(const Step& step) const {
-  if (step.from == kNoCell) return step.cell == root_;
+  if (step.from == kNoCell) return is_root(step.cell);
   return subdivision_.linked(step.cell, step.from) &&
          nodes_[step.from].distance + step_cost(step.from, step.cell) <= step.key;
 }

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "disc.hpp"
+#include "goal_cells.hpp"
+#include "goal_guesses.hpp"
 #include "refinement.hpp"
 #include "rrt_connect.hpp"
 
@@ -55,14 +57,16 @@ Planner::Planner(Scene scene, const Parts& parts) {
   segments_ = std::make_unique<SegmentTest>(problem_, *labeller_, statistics_);
 }
 
-Answer Planner::solve(const Configuration& start, const Configuration& goal, const Limits& limits,
+Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits& limits,
                       const Listener& listener) {
-  Query query(start, goal, limits, listener);
+  std::optional<GoalRegion> region;
+  if (const auto* const set = std::get_if<GoalSet>(&goal)) region.emplace(problem_, *set);
+  Query query(start, goal, region ? &*region : nullptr, limits, listener);
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   CollisionHint hint(problem_, *tree_);
   const bool cheap = problem_.parts.cheap;
-  if (!ends_not_free(query) && !(cheap && (cheap_move(query, hint) || disc_answer(query))) &&
+  if (!ends_not_free(query) && !(cheap && (cheap_move(query, hint) || disc_answer(query, goal))) &&
       !(problem_.parts.probe && probe(query, hint)))
     subdivide(query);
   confirm_absence(query, start, goal);
@@ -75,6 +79,7 @@ Answer Planner::solve(const Configuration& start, const Configuration& goal, con
 // A colliding end has no path; one in contact is moved off by the contact tolerance, if it allows.
 bool Planner::ends_not_free(Query& query) {
   for (Configuration* const end : {&query.start, &query.goal}) {
+    if (end == &query.goal && query.region != nullptr) break;
     const std::string name = end == &query.start ? "start" : "goal";
     const Placement p = placement(*end);
     if (p.state == PlacementState::kFree) continue;
@@ -99,12 +104,22 @@ bool Planner::ends_not_free(Query& query) {
   return false;
 }
 
-// Straight, then by two legs: turn and move, in either order.
 bool Planner::cheap_move(Query& query, CollisionHint& hint) {
   const Stopwatch watch(statistics_.seconds.path);
   const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
+  if (query.region == nullptr) return cheap_move_to(query, hint, query.goal, stop);
+  const std::vector<Configuration> goals =
+      near_goals(*query.region, *segments_, problem_, query.start);
+  return std::any_of(goals.begin(), goals.end(), [&](const Configuration& goal) {
+    return cheap_move_to(query, hint, goal, stop);
+  });
+}
+
+// Straight, then by two legs: turn and move, in either order.
+bool Planner::cheap_move_to(Query& query, CollisionHint& hint, const Configuration& goal,
+                            const Terminator& stop) {
   const Configuration& s = query.start;
-  Configuration g = query.goal;
+  Configuration g = goal;
   g.theta = problem_.rotation ? nearest_turn(g.theta, s.theta) : s.theta;
   const std::vector<std::vector<Configuration>> tries = {
       {s, g}, {s, {s.x, s.y, g.theta}, g}, {s, {g.x, g.y, s.theta}, g}};
@@ -125,11 +140,15 @@ bool Planner::conclude_path(Query& query, std::vector<Configuration> path, const
 bool Planner::probe(Query& query, CollisionHint& hint) {
   const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
   const std::uint64_t calls_before = hint.calls();
+  const std::vector<Configuration> goals =
+      query.region == nullptr ? std::vector{query.goal}
+                              : free_goals(*query.region, hint, problem_, query.start);
+  if (goals.empty()) return false;
   const std::size_t obstacles = problem_.scene.obstacles.size();
   const RrtConnect::Budget budget{
       std::min(kProbeChecks + kProbeChecksPerObstacle * obstacles, kMostProbeChecks),
       std::min(kProbeWork + kProbeWorkPerObstacle * obstacles, kMostProbeWork) + hint.work()};
-  RrtConnect trees(problem_, hint, budget, query.start, query.goal);
+  RrtConnect trees(problem_, hint, budget, query.start, goals);
   const std::uint64_t by_discs = statistics_.probe_checks;
   double spacing = kProbeSpacing * problem_.robot.reach;
   for (int paths = 0; paths < kProbePaths; ++paths, spacing *= kFinerSpacing) {
@@ -148,7 +167,7 @@ bool Planner::probe(Query& query, CollisionHint& hint) {
   return false;
 }
 
-bool Planner::disc_answer(Query& query) {
+bool Planner::disc_answer(Query& query, const Goal& goal) {
   if (!std::exchange(disc_prepared_, true)) {
     if (auto scenes = disc_scenes(problem_)) {
       disc_round_ = std::make_unique<Planner>(std::move(scenes->round), problem_.parts);
@@ -156,29 +175,33 @@ bool Planner::disc_answer(Query& query) {
     }
   }
   if (!disc_round_) return false;
-  if (ask_disc(*disc_inside_, query).verdict == Verdict::kNoPath) {
+  if (ask_disc(*disc_inside_, query, goal).verdict == Verdict::kNoPath) {
     query.conclude(Verdict::kNoPath, "a disc inside the robot has no path", "disc");
     return true;
   }
   if (query.stopped) return true;
-  Answer round = ask_disc(*disc_round_, query);
+  Answer round = ask_disc(*disc_round_, query, goal);
   if (round.verdict != Verdict::kPath) return query.stopped;
   std::vector<Configuration>& path = round.path.waypoints;
   for (Configuration& q : path) q.theta = query.start.theta;
-  path.push_back(query.goal);
-  path.back().theta = nearest_turn(query.goal.theta, query.start.theta);
+  path.push_back(query.region == nullptr ? query.goal : path.back());
+  const double angle =
+      query.region == nullptr ? query.goal.theta : query.region->nearest_angle(query.start.theta);
+  path.back().theta = nearest_turn(angle, query.start.theta);
   const Terminator never = [] { return false; };
   if (first_uncertified(problem_, *segments_, path, never)) return false;
   return conclude_path(query, std::move(path), "disc");
 }
 
-// Its work counts as the query's; its interruption ends the query.
-Answer Planner::ask_disc(Planner& disc, Query& query) {
+// Its work counts as the query's; its interruption ends the query. A disc has no angle to mind.
+Answer Planner::ask_disc(Planner& disc, Query& query, const Goal& goal) {
   Limits limits = query.limits;
   limits.max_cells = std::min(limits.max_cells, kDiscCells);
   limits.timeout -= query.elapsed();
-  Answer answer = disc.solve({query.start.x, query.start.y, 0.0}, {query.goal.x, query.goal.y, 0.0},
-                             limits, query.listener);
+  Goal place = Configuration{query.goal.x, query.goal.y, 0.0};
+  if (const auto* const set = std::get_if<GoalSet>(&goal))
+    place = GoalSet{set->polygons, std::nullopt};
+  Answer answer = disc.solve({query.start.x, query.start.y, 0.0}, place, limits, query.listener);
   statistics_ += answer.statistics;
   query.answer.cells_by_label = answer.cells_by_label;
   query.answer.cells_by_level = answer.cells_by_level;
@@ -208,16 +231,22 @@ std::vector<CellId> Planner::leaves_of(const Configuration& q) const {
   return subdivision_->leaves_near(dyadic_point(problem_, q), kDyadicSlack);
 }
 
+// Every leaf that may hold a goal.
+std::vector<CellId> Planner::leaves_of_goal(const Goal& goal) const {
+  if (const auto* const set = std::get_if<GoalSet>(&goal))
+    return leaves_that_may_meet(GoalRegion(problem_, *set), *subdivision_);
+  return leaves_of(std::get<Configuration>(goal));
+}
+
 // A proof of absence was found for the ends as they were placed: rounded, or lifted off a contact.
 // It is concluded only if it holds for the user's own, whether those are free or in contact: every
 // leaf that one can lie in is cut off from every leaf that the other can lie in.
-void Planner::confirm_absence(Query& query, const Configuration& start,
-                              const Configuration& goal) const {
+void Planner::confirm_absence(Query& query, const Configuration& start, const Goal& goal) const {
   const Answer& answer = query.answer;
   if (answer.verdict != Verdict::kNoPath) return;
   const std::string& by = answer.statistics.decided_by;
   const bool separated =
-      by == "separation" && !subdivision_->connected(leaves_of(start), leaves_of(goal));
+      by == "separation" && !subdivision_->connected(leaves_of(start), leaves_of_goal(goal));
   const bool own_ends = !query.lifted || by == "start" || by == "goal";
   if (by == "separation" ? separated : own_ends) return;
   query.conclude(Verdict::kUndecided,
@@ -226,8 +255,7 @@ void Planner::confirm_absence(Query& query, const Configuration& start,
 }
 
 // A lifted end stands for the user's: its path gets a first or last leg within the tolerance.
-void Planner::settle_lifted_ends(Query& query, const Configuration& start,
-                                 const Configuration& goal) const {
+void Planner::settle_lifted_ends(Query& query, const Configuration& start, const Goal& goal) const {
   if (!query.lifted) return;
   std::vector<Configuration>& path = query.answer.path.waypoints;
   if (path.empty()) return;
@@ -235,7 +263,8 @@ void Planner::settle_lifted_ends(Query& query, const Configuration& start,
     return a.x == b.x && a.y == b.y;
   };
   if (!same(query.start, start)) path.insert(path.begin(), start);
-  if (!same(query.goal, goal)) path.push_back({goal.x, goal.y, path.back().theta});
+  if (const auto* const own = std::get_if<Configuration>(&goal); own && !same(query.goal, *own))
+    path.push_back({own->x, own->y, path.back().theta});
   query.answer.reason += "; ends in contact were moved off within the contact tolerance";
 }
 
@@ -253,7 +282,7 @@ void Planner::complete_answer(Query& query) {
   if (subdivision_) take_census(*subdivision_, answer);
 }
 
-void Planner::remember(const Query& query, const Configuration& start, const Configuration& goal) {
+void Planner::remember(const Query& query, const Configuration& start, const Goal& goal) {
   const Answer& answer = query.answer;
   last_ = {answer.verdict, answer.statistics.decided_by, start, goal, answer.path.waypoints};
 }
@@ -270,10 +299,11 @@ Evidence Planner::evidence() {
     return out;
   } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == "separation") {
     out.barrier = find_barrier(*subdivision_, faces_->blocked(), leaves_of(last_.start),
-                               leaves_of(last_.goal));
+                               leaves_of_goal(last_.goal));
     if (!out.barrier.start_side.empty()) out.kind = ClaimKind::kSeparation;
   } else if (last_.verdict == Verdict::kNoPath) {
-    const Placement p = placement(last_.decided_by == "start" ? last_.start : last_.goal);
+    const Placement p =
+        placement(last_.decided_by == "start" ? last_.start : std::get<Configuration>(last_.goal));
     out.kind = ClaimKind::kEnd;
     out.end = last_.decided_by;
     out.out_of_bounds = p.state == PlacementState::kOutside;
@@ -294,7 +324,7 @@ Crossing Planner::bottleneck() {
   if (last_.verdict != Verdict::kNoPath) return {};
   if (last_.decided_by == "disc") return disc_inside_->bottleneck();
   if (last_.decided_by != "separation") return {};
-  return find_bottleneck(problem_, *subdivision_, leaves_of(last_.start), leaves_of(last_.goal),
+  return find_bottleneck(problem_, *subdivision_, leaves_of(last_.start), leaves_of_goal(last_.goal),
                          [this](const Configuration& q) { return placement(q).depth; });
 }
 

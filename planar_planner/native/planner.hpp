@@ -34,7 +34,7 @@ class Planner {
 
   [[nodiscard]] const Problem& problem() const { return problem_; }
   Placement placement(const Configuration& q);
-  Answer solve(const Configuration& start, const Configuration& goal, const Limits& limits,
+  Answer solve(const Configuration& start, const Goal& goal, const Limits& limits,
                const Listener& listener);
   PathCheck check_path(std::vector<Configuration> path);
   // Of the last answer; computed now, since not every caller asks.
@@ -51,24 +51,27 @@ class Planner {
  private:
   bool ends_not_free(Query& query);
   bool cheap_move(Query& query, CollisionHint& hint);
+  bool cheap_move_to(Query& query, CollisionHint& hint, const Configuration& goal,
+                     const Terminator& stop);
   bool probe(Query& query, CollisionHint& hint);
-  bool disc_answer(Query& query);
-  Answer ask_disc(Planner& disc, Query& query);
+  bool disc_answer(Query& query, const Goal& goal);
+  Answer ask_disc(Planner& disc, Query& query, const Goal& goal);
   bool conclude_path(Query& query, std::vector<Configuration> path, const char* by);
   void subdivide(Query& query);
   void prepare_subdivision(const Query& query);
   void complete_answer(Query& query);
-  void remember(const Query& query, const Configuration& start, const Configuration& goal);
-  void settle_lifted_ends(Query& query, const Configuration& start,
-                          const Configuration& goal) const;
+  void remember(const Query& query, const Configuration& start, const Goal& goal);
+  void settle_lifted_ends(Query& query, const Configuration& start, const Goal& goal) const;
   [[nodiscard]] std::vector<CellId> leaves_of(const Configuration& q) const;
-  void confirm_absence(Query& query, const Configuration& start, const Configuration& goal) const;
+  [[nodiscard]] std::vector<CellId> leaves_of_goal(const Goal& goal) const;
+  void confirm_absence(Query& query, const Configuration& start, const Goal& goal) const;
 
   // The last query, for its evidence: the user's ends, and the path without legs into contact.
   struct Last {
     Verdict verdict = Verdict::kUndecided;
     std::string decided_by;
-    Configuration start, goal;
+    Configuration start;
+    Goal goal;
     std::vector<Configuration> waypoints;
   };
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "goal_region.hpp"
 #include "limits.hpp"
 #include "path.hpp"
 #include "scene.hpp"
@@ -30,7 +31,9 @@ struct Answer {
 };
 
 struct Query {
-  Configuration start, goal;
+  Configuration start;
+  Configuration goal;                  // with a region: the one that the search tries for now
+  const GoalRegion* region = nullptr;  // any of its configurations is a goal
   const Limits& limits;
   const Listener& listener;
   Answer answer;
@@ -40,8 +43,11 @@ struct Query {
   bool out_of_cells = false;
   bool lifted = false;  // an end in contact was moved off
 
-  Query(const Configuration& s, const Configuration& g, const Limits& l, const Listener& ear)
-      : start(s), goal(g), limits(l), listener(ear) {}
+  Query(const Configuration& s, const Goal& g, const GoalRegion* r, const Limits& l,
+        const Listener& ear)
+      : start(s), region(r), limits(l), listener(ear) {
+    if (r == nullptr) goal = std::get<Configuration>(g);
+  }
 
   [[nodiscard]] double elapsed() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

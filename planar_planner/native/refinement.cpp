@@ -40,11 +40,28 @@ Refinement::Refinement(const Problem& problem, ObstacleTree& tree, Subdivision& 
       goal_point_(dyadic_point(problem, query.goal)),
       search_(subdivision, statistics),
       ridge_(problem, tree, subdivision, segments, statistics),
-      next_ridge_{kFirstRidge, UINT64_MAX} {}
+      next_ridge_{kFirstRidge, UINT64_MAX} {
+  if (query.region != nullptr) goals_.emplace(*query.region, subdivision);
+}
+
+void Refinement::begin_search() {
+  subdivision_.clear_exhausted();
+  const CellId start = subdivision_.locate(start_point_);
+  if (goals_)
+    search_.reset(start, goals_->wanted());
+  else
+    search_.reset(start, subdivision_.locate(goal_point_));
+}
+
+// Can the start's leaf reach one that may hold a goal? By a flood fill.
+bool Refinement::goal_connected() const {
+  const CellId start = search_.start();
+  if (!goals_) return subdivision_.connected(start, search_.goal());
+  return subdivision_.connected({&start, 1}, goals_->all());
+}
 
 void Refinement::run() {
-  subdivision_.clear_exhausted();
-  search_.reset(subdivision_.locate(start_point_), subdivision_.locate(goal_point_));
+  begin_search();
   std::vector<CellId> channel;
   while (!stop()) {
     ++statistics_.search_rounds;
@@ -54,10 +71,12 @@ void Refinement::run() {
       if (!problem_.parts.incremental) search_.rebuild();
       connected = search_.find(channel);
     }
-    if (!connected && !subdivision_.connected(search_.start(), search_.goal()))
+    if (!connected && !goal_connected())
       return query_.conclude(Verdict::kNoPath,
                              "cells and faces proven to lie in C-obstacle separate start from goal",
                              "separation");
+    if (!connected && goals_ && goals_->only_given_up(search_.start()))
+      return query_.conclude(Verdict::kUndecided, "resolution reached");
     if (!connected) {
       // Never seen, and counted, so that the tests would: the proof does not lean on mended trees.
       ++statistics_.search_rebuilds;
@@ -124,8 +143,9 @@ void Refinement::split(const CellId cell) {
   const auto moved = [&](const CellId end, const std::array<std::uint64_t, 3>& point) {
     return end == cell ? subdivision_.locate(point) : end;
   };
+  if (goals_) goals_->after_split(cell, upper);
   search_.after_split(cell, upper, moved(search_.start(), start_point_),
-                      moved(search_.goal(), goal_point_));
+                      goals_ ? kNoCell : moved(search_.goal(), goal_point_));
 }
 
 void Refinement::exhaust(const CellId cell) {
@@ -166,8 +186,31 @@ void Refinement::resolve_doubt(const CellId a, const CellId b) {
   search_.on_doubtful(a, b);
 }
 
+// A free goal in the channel's last cell. True without a region.
+bool Refinement::pick_goal(const CellId cell) {
+  if (!goals_) return true;
+  for (const Configuration& q :
+       goals_->region().inside(subdivision_.space(), subdivision_.cell(cell).box)) {
+    if (!segments_.is_free(pose_of(problem_, q))) continue;
+    query_.goal = q;
+    return true;
+  }
+  return false;
+}
+
+// The halves of a solid cell may tell whether it holds a free goal.
+void Refinement::lose_goal(GoalCells& goals, const CellId cell) {
+  if (subdivision_.divisible(cell, query_.limits.resolution)) return split(cell);
+  goals.give_up(cell);
+  search_.on_goal_lost(cell);
+}
+
 // Certifies the channel's path. False if it has to be refined first.
 bool Refinement::finish(const std::vector<CellId>& channel) {
+  if (goals_ && !pick_goal(channel.back())) {
+    lose_goal(*goals_, channel.back());
+    return false;
+  }
   const Stopwatch watch(statistics_.seconds.path);
   const Terminator terminator = [this] { return stop(); };
   std::vector<CellId> owners;
@@ -196,7 +239,7 @@ bool Refinement::try_ridge(const std::vector<CellId>& channel) {
   const Parts& parts = problem_.parts;
   const std::uint64_t before = statistics_.axis_work();
   const bool due = statistics_.labelled_cells >= next_ridge_.cells || before >= next_ridge_.work;
-  if (!parts.ridge || !parts.guided || !due) return false;
+  if (!parts.ridge || !parts.guided || !due || !pick_goal(channel.back())) return false;
   const Stopwatch watch(statistics_.seconds.path);
   ++statistics_.ridge_tries;
   const Terminator terminator = [this] { return stop(); };

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <array>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "channel.hpp"
 #include "face.hpp"
+#include "goal_cells.hpp"
 #include "problem.hpp"
 #include "query.hpp"
 #include "ridge_path.hpp"
@@ -25,6 +26,10 @@ class Refinement {
   void run();
 
  private:
+  void begin_search();
+  [[nodiscard]] bool goal_connected() const;
+  bool pick_goal(CellId cell);
+  void lose_goal(GoalCells& goals, CellId cell);
   [[nodiscard]] bool solid(const std::vector<CellId>& channel) const;
   [[nodiscard]] std::vector<CellId> all_cells() const;
   bool split_mixed(const std::vector<CellId>& channel);
@@ -44,7 +49,8 @@ class Refinement {
   SegmentTest& segments_;
   Statistics& statistics_;
   Query& query_;
-  std::array<std::uint64_t, 3> start_point_, goal_point_;
+  std::array<std::uint64_t, 3> start_point_, goal_point_;  // no goal point with a region
+  std::optional<GoalCells> goals_;                         // of the region, if there is one
   ChannelSearch search_;
   std::vector<Connector> connectors_;
   RidgePath ridge_;

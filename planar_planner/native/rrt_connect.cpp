@@ -44,20 +44,23 @@ double turn_between(const double from, const double to) {
 }  // namespace
 
 RrtConnect::RrtConnect(const Problem& problem, CollisionHint& hint, const Budget& budget,
-                       const Configuration& start, const Configuration& goal)
+                       const Configuration& start, const std::span<const Configuration> goals)
     : problem_(problem),
       hint_(hint),
       budget_(static_cast<std::int64_t>(budget.checks)),
       most_work_(budget.work),
       start_(start),
-      goal_(goal),
+      goals_(goals.begin(), goals.end()),
       longest_(kRange * pdg::norm(problem.domain.size)),
       shortest_(std::min(longest_, kShortestRange * problem.robot.reach)),
       range_(longest_),
-      from_start_{{wrapped(pose_of(problem, start)), 0}},
-      from_goal_{{wrapped(pose_of(problem, goal)), 0}} {
+      from_start_{{wrapped(pose_of(problem, start)), 0}} {
   theta_ = from_start_[0].pose.theta;
-  if (!problem.rotation) from_goal_[0].pose.theta = theta_;
+  for (const Configuration& goal : goals_) {
+    from_goal_.push_back(
+        {wrapped(pose_of(problem, goal)), static_cast<std::uint32_t>(from_goal_.size())});
+    if (!problem.rotation) from_goal_.back().pose.theta = theta_;
+  }
 }
 
 std::vector<Configuration> RrtConnect::find(const double spacing, const Terminator& stop) {
@@ -79,7 +82,7 @@ void RrtConnect::reject(const std::size_t segment) {
     cut(from_goal_, way_from_goal_[segment - of_start]);
 }
 
-// Parents come before their children.
+// Parents come before their children; a root is never cut.
 void RrtConnect::cut(Tree& tree, const std::uint32_t root) {
   std::vector<std::uint32_t> moved_to(tree.size());
   std::uint32_t kept = root;
@@ -198,17 +201,17 @@ std::vector<Configuration> RrtConnect::joined() {
     path.push_back(configuration_of(problem_, from_start_[way_from_start_[i]].pose));
   for (std::size_t i = 1; i + 1 < way_from_goal_.size(); ++i)
     path.push_back(configuration_of(problem_, from_goal_[way_from_goal_[i]].pose));
-  path.push_back(goal_);
+  path.push_back(goals_[way_from_goal_.back()]);
   for (std::size_t i = 1; i < path.size(); ++i)
     path[i].theta =
         problem_.rotation ? nearest_turn(path[i].theta, path[i - 1].theta) : start_.theta;
   return path;
 }
 
-// Indices of the nodes from the root to the last one.
+// Indices of the nodes from a root to the last one.
 std::vector<std::uint32_t> RrtConnect::way_from_root(const Tree& tree) {
   std::vector<std::uint32_t> way{static_cast<std::uint32_t>(tree.size() - 1)};
-  while (way.back() != 0) way.push_back(tree[way.back()].parent);
+  while (tree[way.back()].parent != way.back()) way.push_back(tree[way.back()].parent);
   std::reverse(way.begin(), way.end());
   return way;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "collision.hpp"
@@ -22,10 +23,14 @@ class RrtConnect {
     std::uint64_t work = UINT64_MAX;  // and up to which CollisionHint::work
   };
 
+  // At least one goal; the trees grow towards any of them.
   RrtConnect(const Problem& problem, CollisionHint& hint, const Budget& budget,
-             const Configuration& start, const Configuration& goal);
+             const Configuration& start, std::span<const Configuration> goals);
+  RrtConnect(const Problem& problem, CollisionHint& hint, const Budget& budget,
+             const Configuration& start, const Configuration& goal)
+      : RrtConnect(problem, hint, budget, start, {&goal, 1}) {}
 
-  // Waypoints from start to goal, theta running on; new edges are asked about at most `spacing`
+  // Waypoints from start to a goal, theta running on; new edges are asked about at most `spacing`
   // apart (planner units, a turn counting as its longest way). Empty if the budget is spent or the
   // terminator strikes.
   std::vector<Configuration> find(double spacing, const Terminator& stop);
@@ -36,8 +41,8 @@ class RrtConnect {
 
  private:
   struct Node {
-    Pose pose;  // theta within half a turn of zero
-    std::uint32_t parent = 0;
+    Pose pose;                 // theta within half a turn of zero
+    std::uint32_t parent = 0;  // its own place: a root; those come first
   };
   using Tree = std::vector<Node>;
   enum class Advance : std::uint8_t { kTrapped, kAdvanced, kReached };
@@ -60,9 +65,10 @@ class RrtConnect {
   CollisionHint& hint_;
   std::int64_t budget_;
   std::uint64_t most_work_;
-  Configuration start_, goal_;
-  double longest_, shortest_;  // of an edge, ever
-  double range_;               // longest edge now
+  Configuration start_;
+  std::vector<Configuration> goals_;  // by root of from_goal_
+  double longest_, shortest_;         // of an edge, ever
+  double range_;                      // longest edge now
   Tree from_start_, from_goal_;
   std::vector<std::uint32_t> way_from_start_, way_from_goal_;  // of the last path, in its order
   bool forward_ = true;                                        // whose turn it is to extend

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "pdg/native/polygon.hpp"
@@ -46,5 +47,17 @@ struct Configuration {
   double y = 0.0;
   double theta = 0.0;
 };
+
+// Every configuration whose reference point lies in the closed polygons (world frame) and whose
+// theta lies in the closed interval, up to whole turns.
+struct GoalSet {
+  PolygonSet polygons;
+  struct Angles {
+    double low, high;  // radians, low <= high < low + 2 pi
+  };
+  std::optional<Angles> angles;  // empty: any
+};
+
+using Goal = std::variant<Configuration, GoalSet>;
 
 }  // namespace planner

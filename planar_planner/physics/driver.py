@@ -13,7 +13,7 @@ from planar_planner.motion import reach
 from planar_planner.physics.contacts import ASIDE
 from planar_planner.physics.shapes import slabs
 from planar_planner.physics.world import World, engine
-from planar_planner.problem import Problem
+from planar_planner.problem import Problem, point_goal
 
 if TYPE_CHECKING:
     import pymunk
@@ -141,7 +141,7 @@ class Driver:
     def _aim(self) -> None:
         """Push the reference point to the goal, and turn the shorter way; softer when near."""
         x, y, theta = self.configuration()
-        goal = self._problem.goal
+        goal = point_goal(self._problem, "a push")
         dx, dy = (goal[0] - x) * self._world.scale, (goal[1] - y) * self._world.scale
         far = max(self._reach, math.hypot(dx, dy))
         self._force = self._shove(dx / far, dy / far)

@@ -25,7 +25,7 @@ from planar_planner.physics.driver import SPEED, Driver
 from planar_planner.physics.replay import gap, outside, problem_of
 from planar_planner.physics.report import Push, Try
 from planar_planner.physics.world import World, engine_name, make_world, rounding
-from planar_planner.problem import Problem
+from planar_planner.problem import Problem, point_goal
 
 if TYPE_CHECKING:
     from planar_planner.planner import SceneLike
@@ -95,6 +95,7 @@ def push(
         If a number is out of range, or pymunk is missing.
     """
     problem = problem_of(scene)
+    point_goal(problem, "a push")
     if not 0.0 < seconds < math.inf:
         raise OptionsError(f"seconds must be positive (got {seconds:g})")
     if tries < 1:
@@ -112,7 +113,7 @@ def push(
         scene=problem.name,
         seed=seed,
         tries=tuple(runs),
-        distance=gap(problem, problem.start, problem.goal),
+        distance=gap(problem, problem.start, point_goal(problem, "a push")),
         step=pace.step,
         time_step=pace.time_step,
         frame=pace.every * pace.time_step,
@@ -144,14 +145,15 @@ def _try(
 ) -> Try:
     """Simulate one robot until time is up or it has reached the goal."""
     where = [problem.start]
-    deepest, nearest, reached, done = 0.0, gap(problem, problem.start, problem.goal), False, 0
+    goal = point_goal(problem, "a push")
+    deepest, nearest, reached, done = 0.0, gap(problem, problem.start, goal), False, 0
     while done < pace.steps and not reached:
         for _ in range(min(pace.every, pace.steps - done)):
             driver.advance(pace.time_step)
             deepest = max(deepest, _depth(probe, driver, pace.step))
             done += 1
         where.append(driver.configuration())
-        left = gap(problem, where[-1], problem.goal)
+        left = gap(problem, where[-1], goal)
         nearest = min(nearest, left)
         if left <= NEAR * reach(problem.robot):
             reached = _may_finish(problem, probe, where[-1], pace.step, deepest)
@@ -182,7 +184,7 @@ def _may_finish(
     problem: Problem, probe: World, q: Configuration, step: float, deepest: float
 ) -> bool:
     """Whether the straight way on to the goal is no deeper in collision than the robot was."""
-    x, y, theta = problem.goal
+    x, y, theta = point_goal(problem, "a push")
     turned = theta + math.tau * round((q[2] - theta) / math.tau)
     rest = equal_steps([q, (x, y, turned)], reach(problem.robot), step)
     return find_contacts(probe, rest).deepest <= max(deepest, rounding(problem, rest))

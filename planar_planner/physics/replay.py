@@ -14,7 +14,7 @@ from planar_planner.motion import equal_steps, reach, travel
 from planar_planner.physics.contacts import find_contacts
 from planar_planner.physics.report import Replay
 from planar_planner.physics.world import engine_name, make_world, rounding
-from planar_planner.problem import Problem, make_problem
+from planar_planner.problem import Problem, at_end_of, make_problem, point_goal
 from planar_planner.scene import Scene, load_scene
 
 if TYPE_CHECKING:
@@ -72,6 +72,7 @@ def replay(
     problem = problem_of(scene)
     radius = reach(problem.robot)
     waypoints = np.asarray(path, dtype=np.float64)
+    goal = point_goal(at_end_of(problem, waypoints), "a replay")
     length = float(travel(waypoints, radius)[-1])
     spacing = radius / STEPS_PER_REACH if step is None else step
     if not (0.0 < spacing < math.inf and length / spacing <= MOST_STEPS):
@@ -94,7 +95,7 @@ def replay(
         tolerance=tolerance,
         outside=outside(problem.reference_bounds, waypoints),
         start_gap=gap(problem, waypoints[0], problem.start),
-        goal_gap=gap(problem, waypoints[-1], problem.goal),
+        goal_gap=gap(problem, waypoints[-1], goal),
         engine=engine_name(),
     )
 

@@ -13,7 +13,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from planar_planner.goal import GoalRegion
 from planar_planner.motion import Floats, equal_steps, reach, travel
+from planar_planner.pictures.goal_region import draw_goal_region
 from planar_planner.pictures.shapes import placed, polygon_paths, workspace_path
 from planar_planner.pictures.style import INK, TRACE, fade, new_figure, save_picture
 from planar_planner.pictures.world import (
@@ -65,6 +67,7 @@ def draw_scene(
         If the scene is not valid.
     """
     problem = with_query(make_problem(scene), start, goal)
+    region = problem.goal
     if result is not None and len(result.path):
         problem = with_query(problem, result.path[0], result.path[-1])
     path = result.path if result is not None and len(result.path) else np.empty((0, 3))
@@ -73,6 +76,8 @@ def draw_scene(
     figure = new_figure(*figure_size(view))
     axes = figure.add_subplot()
     keys = draw_world(axes, problem)
+    if isinstance(region, GoalRegion):
+        keys += draw_goal_region(axes, region)
     keys += draw_path(axes, problem, path)
     keys += draw_ends(axes, problem)
     frame_axes(axes, view, outlined=workspace_path(problem) is not None)

@@ -11,6 +11,7 @@ from matplotlib.collections import PathCollection
 from matplotlib.patches import Patch, PathPatch
 
 from planar_planner.fields import Box
+from planar_planner.goal import GoalRegion
 from planar_planner.motion import Floats, reach
 from planar_planner.pictures.shapes import (
     box_path,
@@ -21,7 +22,7 @@ from planar_planner.pictures.shapes import (
     workspace_path,
 )
 from planar_planner.pictures.style import BOUNDS, GOAL, INK, OBSTACLE, OUTSIDE, START, rgba
-from planar_planner.problem import Problem
+from planar_planner.problem import Problem, ends
 from planar_planner.result import Result
 
 LONG_SIDE = 8.0  # inches, of the drawing itself
@@ -66,7 +67,9 @@ def draw_ends(axes: Axes, problem: Problem) -> list[Artist]:
     """Draw the robot at start and goal, with its reference point and its heading."""
     robot = polygon_paths(problem.robot)
     keys: list[Artist] = []
-    for label, colour, q in (("start", START, problem.start), ("goal", GOAL, problem.goal)):
+    colours = {"start": START, "goal": GOAL}
+    for label, q in ends(problem).items():
+        colour = colours[label]
         outlines = placed(robot, q)
         style: dict[str, Any] = {"facecolors": rgba(colour, 0.45), "edgecolors": colour}
         axes.add_collection(
@@ -111,8 +114,9 @@ def view_box(problem: Problem, path: Floats) -> Box:
     elif problem.reference_bounds is not None:  # the body may stick out of these
         limits = corners(problem.reference_bounds)
         points += [limits - reach(problem.robot), limits + reach(problem.robot)]
-    ends = [problem.start, problem.goal]
-    points += [moved(problem.robot.coords, q) for q in ends]
+    points += [moved(problem.robot.coords, q) for q in ends(problem).values()]
+    if isinstance(problem.goal, GoalRegion):
+        points.append((problem.goal.left or problem.goal.polygons).coords)
     cloud = np.concatenate(points)
     low, high = cloud.min(axis=0), cloud.max(axis=0)
     margin = MARGIN * float((high - low).max())

@@ -1,0 +1,47 @@
+#include "goal_guesses.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace planner {
+
+namespace {
+
+// Goals that trees grow from at most, and configurations asked about for them: more goals find more
+// ways in, but each has to grow its own way out. Any number is sound.
+constexpr std::size_t kMostTrees = 12;
+constexpr int kSamples = 60;
+
+// A low-discrepancy sequence: fractions of n / 2, n / 3 and n / 5 mirrored at the point (Halton).
+double mirrored(int n, const int base) {
+  double sum = 0.0;
+  double digit = 1.0;
+  for (; n > 0; n /= base) sum += (digit /= base) * (n % base);
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Configuration> near_goals(const GoalRegion& region, SegmentTest& segments,
+                                      const Problem& problem, const Configuration& start) {
+  std::vector<Configuration> out = region.near(start);
+  std::erase_if(out,
+                [&](const Configuration& q) { return !segments.is_free(pose_of(problem, q)); });
+  return out;
+}
+
+std::vector<Configuration> free_goals(const GoalRegion& region, CollisionHint& hint,
+                                      const Problem& problem, const Configuration& start) {
+  std::vector<Configuration> out;
+  const auto keep_if_free = [&](Configuration q) {
+    if (!problem.rotation) q.theta = start.theta;
+    if (out.size() < kMostTrees && hint.gap(pose_of(problem, q)) >= 0.0) out.push_back(q);
+  };
+  for (const Configuration& q : region.near(start)) keep_if_free(q);
+  for (int n = 1; n <= kSamples; ++n)
+    if (const auto q = region.sample(mirrored(n, 2), mirrored(n, 3), mirrored(n, 5)))
+      keep_if_free(*q);
+  return out;
+}
+
+}  // namespace planner
