@@ -14,7 +14,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from types import FrameType
 
-from planar_planner.command_arguments.parser import make_parser, with_joined_numbers
+from planar_planner.command_arguments.parser import parse
 from planar_planner.errors import OptionsError, SceneError, one_line
 from planar_planner.output import OutputError, complain, flush, use_safe_encoding
 
@@ -74,7 +74,7 @@ def _noted(interrupts: list[int]) -> Iterator[None]:
 
 def _run(argv: Sequence[str]) -> int:
     try:
-        arguments = make_parser().parse_args(with_joined_numbers(argv))
+        arguments = parse(argv)
     except SystemExit as leaving:  # help, version or a usage error: argparse has said it all
         flush()
         return EXIT_BAD_INPUT if leaving.code else 0

@@ -5,37 +5,25 @@ from __future__ import annotations
 import argparse
 import re
 from collections.abc import Sequence
+from importlib import import_module
 from typing import Any
 
-from planar_planner.command_arguments import (
-    animate,
-    check,
-    compare,
-    completion,
-    convert,
-    listing,
-    margin,
-    replay,
-    show,
-    solve,
-    verify,
-)
 from planar_planner.command_arguments.command_parser import CommandParser
 from planar_planner.command_arguments.shared import VERDICTS
 
-_COMMANDS = (  # as help lists them
-    solve,
-    check,
-    margin,
-    verify,
-    replay,
-    listing,
-    show,
-    animate,
-    compare,
-    convert,
-    completion,
-)
+COMMANDS = {  # name → module here, in the order of the help
+    "solve": "solve",
+    "check": "check",
+    "margin": "margin",
+    "verify": "verify",
+    "replay": "replay",
+    "list": "listing",
+    "show": "show",
+    "animate": "animate",
+    "compare": "compare",
+    "convert": "convert",
+    "completion": "completion",
+}
 
 _EXAMPLES = (
     "list",
@@ -63,8 +51,19 @@ class _Version(argparse.Action):
         parser.exit()
 
 
-def make_parser() -> argparse.ArgumentParser:
-    """Return the parser; each command sets ``run``, a function of the parsed arguments."""
+def parse(argv: Sequence[str]) -> argparse.Namespace:
+    """Return the arguments; ``run`` is the function of them that does the command's work.
+
+    Leaves with `SystemExit` on a mistake, after one line about it, and where help or version is
+    asked for.
+    """
+    named = argv[0] if argv and argv[0] in COMMANDS else None
+    arguments: argparse.Namespace = make_parser(named).parse_args(_with_joined_numbers(argv))
+    return arguments
+
+
+def make_parser(command: str | None = None) -> CommandParser:
+    """Return the parser of all commands, or of one alone, which is made in less time."""
     parser = CommandParser(
         prog="planar-planner",
         description="Complete motion planning for polygonal robots in the plane:\n"
@@ -76,12 +75,12 @@ def make_parser() -> argparse.ArgumentParser:
         "--version", action=_Version, nargs=0, help="show the version and build details and exit"
     )
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    for command in _COMMANDS:
-        command.add(commands)
+    for name in [command] if command else COMMANDS:
+        import_module(f"planar_planner.command_arguments.{COMMANDS[name]}").add(commands)
     return parser
 
 
-def with_joined_numbers(argv: Sequence[str]) -> list[str]:
+def _with_joined_numbers(argv: Sequence[str]) -> list[str]:
     """Write ``--start -1,2,0`` as ``--start=-1,2,0``, which argparse would take for an option."""
     joined: list[str] = []
     for argument in argv:

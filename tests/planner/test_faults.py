@@ -147,9 +147,7 @@ def test_memory_that_runs_out_while_writing_keeps_the_old_file(
     file.write_text("old")
     command = importlib.import_module("planar_planner.commands.solve")
     monkeypatch.setattr(Path, "write_text", write_text)
-    arguments = main.__globals__["make_parser"]().parse_args(
-        ["solve", scene_file, "--json", str(file)]
-    )
+    arguments = main.__globals__["parse"](["solve", scene_file, "--json", str(file)])
     with pytest.raises(main.__globals__["OutputError"], match="out of memory"):
         command.run(arguments)
     assert file.read_text() == "old"

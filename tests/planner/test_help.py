@@ -92,3 +92,12 @@ def test_values_that_begin_with_a_minus_are_no_options(
         == 2
     )
     assert "did you mean 'gear'" in capsys.readouterr().err
+
+
+def test_one_command_is_parsed_as_among_all() -> None:
+    """Only the command that is asked for is imported, and it looks the same."""
+    for command, parser in parsers().items():
+        if command:
+            (commands,) = (a for a in make_parser(command)._actions if isinstance(a.choices, dict))
+            assert list(commands.choices) == [command]
+            assert commands.choices[command].format_help() == parser.format_help()
