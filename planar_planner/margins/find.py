@@ -16,7 +16,7 @@ from planar_planner.margins.bottleneck import find_bottleneck
 from planar_planner.margins.bracket import Bracket, Search
 from planar_planner.margins.ends import Ends, ends_of, scale_limit
 from planar_planner.margins.offset import Offsets
-from planar_planner.margins.result import Binding, NarrowPlace, By, Margin
+from planar_planner.margins.result import Binding, By, Margin, NarrowPlace
 from planar_planner.margins.scaling import Centre, Scalings
 from planar_planner.margins.surroundings import Surroundings
 from planar_planner.options import Options

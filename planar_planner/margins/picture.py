@@ -16,7 +16,7 @@ from matplotlib.patches import Patch, PathPatch, Rectangle
 from matplotlib.path import Path
 
 from planar_planner.fields import Box
-from planar_planner.margins.result import NarrowPlace, Margin
+from planar_planner.margins.result import Margin, NarrowPlace
 from planar_planner.margins.surroundings import placed, shape_of
 from planar_planner.margins.text import margin_headline
 from planar_planner.plot import INK, TRACE, draw_ends, draw_world, frame_axes, view_box
