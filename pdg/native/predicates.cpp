@@ -4,6 +4,7 @@
 #include "predicates.hpp"
 
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -12,6 +13,11 @@ namespace pdg {
 namespace {
 
 static_assert(std::numeric_limits<double>::is_iec559);
+static_assert(FLT_EVAL_METHOD == 0,
+              "doubles are computed as doubles: on 32-bit x86 with -mfpmath=sse");
+#ifdef __FAST_MATH__
+#error "-ffast-math voids every bound"
+#endif
 
 // An unevaluated exact sum hi + lo.
 struct TwoTerms {
