@@ -11,9 +11,10 @@ import numpy as np
 from planar_planner.fields import Box, Configuration
 from planar_planner.motion import reach
 from planar_planner.physics.contacts import ASIDE
+from planar_planner.physics.goals import nearest_goal
 from planar_planner.physics.shapes import slabs
 from planar_planner.physics.world import World, engine
-from planar_planner.problem import Problem, point_goal
+from planar_planner.problem import Problem
 
 if TYPE_CHECKING:
     import pymunk
@@ -141,12 +142,11 @@ class Driver:
     def _aim(self) -> None:
         """Push the reference point to the goal, and turn the shorter way; softer when near."""
         x, y, theta = self.configuration()
-        goal = point_goal(self._problem, "a push")
+        goal = nearest_goal(self._problem, (x, y, theta))
         dx, dy = (goal[0] - x) * self._world.scale, (goal[1] - y) * self._world.scale
         far = max(self._reach, math.hypot(dx, dy))
         self._force = self._shove(dx / far, dy / far)
-        turn = math.remainder(goal[2] - theta, math.tau)
-        self._torque = self._twist(max(-1.0, min(1.0, turn)))
+        self._torque = self._twist(max(-1.0, min(1.0, goal[2] - theta)))
 
     def _shove(self, x: float, y: float) -> tuple[float, float]:
         strength = self._body.mass * ACCELERATION * self._reach

@@ -22,10 +22,11 @@ from planar_planner.fields import Configuration
 from planar_planner.motion import equal_steps, reach
 from planar_planner.physics.contacts import find_contacts, touched
 from planar_planner.physics.driver import SPEED, Driver
-from planar_planner.physics.replay import gap, outside, problem_of
+from planar_planner.physics.goals import nearest_goal, travel_between, travel_to_goal
+from planar_planner.physics.replay import outside, problem_of
 from planar_planner.physics.report import Push, Try
 from planar_planner.physics.world import World, engine_name, make_world, rounding
-from planar_planner.problem import Problem, point_goal
+from planar_planner.problem import Problem
 
 if TYPE_CHECKING:
     from planar_planner.planner import SceneLike
@@ -95,7 +96,6 @@ def push(
         If a number is out of range, or pymunk is missing.
     """
     problem = problem_of(scene)
-    point_goal(problem, "a push")
     if not 0.0 < seconds < math.inf:
         raise OptionsError(f"seconds must be positive (got {seconds:g})")
     if tries < 1:
@@ -113,7 +113,7 @@ def push(
         scene=problem.name,
         seed=seed,
         tries=tuple(runs),
-        distance=gap(problem, problem.start, point_goal(problem, "a push")),
+        distance=travel_to_goal(problem, problem.start),
         step=pace.step,
         time_step=pace.time_step,
         frame=pace.every * pace.time_step,
@@ -145,15 +145,14 @@ def _try(
 ) -> Try:
     """Simulate one robot until time is up or it has reached the goal."""
     where = [problem.start]
-    goal = point_goal(problem, "a push")
-    deepest, nearest, reached, done = 0.0, gap(problem, problem.start, goal), False, 0
+    deepest, nearest, reached, done = 0.0, travel_to_goal(problem, problem.start), False, 0
     while done < pace.steps and not reached:
         for _ in range(min(pace.every, pace.steps - done)):
             driver.advance(pace.time_step)
             deepest = max(deepest, _depth(probe, driver, pace.step))
             done += 1
         where.append(driver.configuration())
-        left = gap(problem, where[-1], goal)
+        left = travel_to_goal(problem, where[-1])
         nearest = min(nearest, left)
         if left <= NEAR * reach(problem.robot):
             reached = _may_finish(problem, probe, where[-1], pace.step, deepest)
@@ -162,7 +161,7 @@ def _try(
     return Try(
         seconds=done * pace.time_step,
         configurations=trace,
-        length=sum(gap(problem, a, b) for a, b in itertools.pairwise(where)),
+        length=sum(travel_between(problem, a, b) for a, b in itertools.pairwise(where)),
         farthest=float(np.hypot(*(trace[:, :2] - trace[0, :2]).T).max()),
         nearest=nearest,
         reached=reached,
@@ -184,7 +183,5 @@ def _may_finish(
     problem: Problem, probe: World, q: Configuration, step: float, deepest: float
 ) -> bool:
     """Whether the straight way on to the goal is no deeper in collision than the robot was."""
-    x, y, theta = point_goal(problem, "a push")
-    turned = theta + math.tau * round((q[2] - theta) / math.tau)
-    rest = equal_steps([q, (x, y, turned)], reach(problem.robot), step)
+    rest = equal_steps([q, nearest_goal(problem, q)], reach(problem.robot), step)
     return find_contacts(probe, rest).deepest <= max(deepest, rounding(problem, rest))

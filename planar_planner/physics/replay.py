@@ -9,12 +9,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from planar_planner.errors import OptionsError
-from planar_planner.fields import Box, Configuration
+from planar_planner.fields import Box
 from planar_planner.motion import equal_steps, reach, travel
 from planar_planner.physics.contacts import find_contacts
+from planar_planner.physics.goals import travel_between, travel_to_goal
 from planar_planner.physics.report import Replay
 from planar_planner.physics.world import engine_name, make_world, rounding
-from planar_planner.problem import Problem, at_end_of, make_problem, point_goal
+from planar_planner.problem import Problem, make_problem
 from planar_planner.scene import Scene, load_scene
 
 if TYPE_CHECKING:
@@ -72,7 +73,6 @@ def replay(
     problem = problem_of(scene)
     radius = reach(problem.robot)
     waypoints = np.asarray(path, dtype=np.float64)
-    goal = point_goal(at_end_of(problem, waypoints), "a replay")
     length = float(travel(waypoints, radius)[-1])
     spacing = radius / STEPS_PER_REACH if step is None else step
     if not (0.0 < spacing < math.inf and length / spacing <= MOST_STEPS):
@@ -82,6 +82,7 @@ def replay(
     world = make_world(problem, dynamic=False)
     where = equal_steps(waypoints, radius, spacing)
     found = find_contacts(world, where)
+    (x0, y0, theta0), (x1, y1, theta1) = waypoints[[0, -1]].tolist()
     return Replay(
         scene=problem.name,
         configurations=where,
@@ -94,8 +95,8 @@ def replay(
         accuracy=rounding(problem, where),
         tolerance=tolerance,
         outside=outside(problem.reference_bounds, waypoints),
-        start_gap=gap(problem, waypoints[0], problem.start),
-        goal_gap=gap(problem, waypoints[-1], goal),
+        start_gap=travel_between(problem, (x0, y0, theta0), problem.start),
+        goal_gap=travel_to_goal(problem, (x1, y1, theta1)),
         engine=engine_name(),
     )
 
@@ -105,13 +106,6 @@ def problem_of(scene: SceneLike | Problem) -> Problem:
     if isinstance(scene, Problem):
         return scene
     return make_problem(scene if isinstance(scene, Scene) else load_scene(scene))
-
-
-def gap(problem: Problem, q: ArrayLike, end: Configuration) -> float:
-    """Return the travel between two configurations on a straight line, up to whole turns."""
-    x, y, theta = np.asarray(q, dtype=np.float64).tolist()
-    turn = abs(math.remainder(theta - end[2], math.tau))
-    return math.hypot(x - end[0], y - end[1]) + reach(problem.robot) * turn
 
 
 def outside(bounds: Box | None, waypoints: Floats) -> float:

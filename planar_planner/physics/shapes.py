@@ -42,7 +42,7 @@ def scale_of(problem: Problem) -> float:
 
 def robot_shapes(problem: Problem, scale: float) -> list[Shape]:
     """Return the robot's shapes in its own frame."""
-    polygons = list(_shapely(problem.robot))
+    polygons = list(shapely_polygons(problem.robot))
     return [Shape("robot", piece * scale) for piece in _pieces(polygons)]
 
 
@@ -51,7 +51,7 @@ def obstacle_shapes(problem: Problem, scale: float) -> list[Shape]:
     named = [
         (f"obstacles[{index}]", polygon)
         for index, polygon in zip(
-            problem.obstacle_indices.tolist(), _shapely(problem.obstacles), strict=True
+            problem.obstacle_indices.tolist(), shapely_polygons(problem.obstacles), strict=True
         )
     ]
     shapes = [Shape(what, p * scale) for what, polygon in named for p in _pieces([polygon])]
@@ -99,12 +99,13 @@ def _outside(problem: Problem, workspace: Polygons) -> list[shapely.Polygon]:
     xmax, ymax = map(float, workspace.coords.max(axis=0))
     thickness = _thickness(problem, (xmin, ymin, xmax, ymax))
     frame = (xmin - thickness, ymin - thickness, xmax + thickness, ymax + thickness)
-    (polygon,) = _shapely(workspace)
+    (polygon,) = shapely_polygons(workspace)
     around = shapely.Polygon(shapely.box(*frame).exterior, [polygon.exterior])
     return [around, *(shapely.Polygon(hole) for hole in polygon.interiors)]
 
 
-def _shapely(polygons: Polygons) -> Iterator[shapely.Polygon]:
+def shapely_polygons(polygons: Polygons) -> Iterator[shapely.Polygon]:
+    """Yield polygons as shapely's."""
     rings, starts = polygons.ring_starts, polygons.polygon_starts
     for first, last in itertools.pairwise(starts.tolist()):
         outer, *holes = (polygons.coords[rings[r] : rings[r + 1]] for r in range(first, last))

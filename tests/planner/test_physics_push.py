@@ -4,16 +4,23 @@ from __future__ import annotations
 
 import math
 import random
+from typing import Any
 
 import numpy as np
 import pytest
 
-from planar_planner import OptionsError
+from planar_planner import OptionsError, solve
 from planar_planner.physics import push, replay
 from planar_planner.physics.contacts import ASIDE, find_contacts
 from planar_planner.physics.driver import Driver
+from planar_planner.physics.goals import nearest_goal
 from planar_planner.physics.replay import problem_of
 from planar_planner.physics.world import make_world
+
+
+def box(x0: float, y0: float, x1: float, y1: float) -> dict[str, Any]:
+    ring = [[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]]
+    return {"type": "Polygon", "coordinates": [ring]}
 
 
 @pytest.mark.parametrize("name", ["gear-jammed", "slide-blocked", "bug-trap-closed"])
@@ -105,3 +112,28 @@ def test_bad_numbers() -> None:
         push("open", tries=0)
     with pytest.raises(OptionsError, match="at most 1e"):
         push("open", seconds=1e9)
+
+
+def test_goals_that_are_regions() -> None:
+    """A room with a block: into its right end at half a turn or so, and out of its left end."""
+    room = {
+        "format": "planar-planner/scene",
+        "version": 1,
+        "workspace": {"box": [0, 0, 20, 10]},
+        "robot": box(-1, -1, 1, 1),
+        "obstacles": [box(8, 4, 12, 6)],
+        "start": [2, 5, 0],
+        "goal": {"region": box(15, 2, 19, 8), "theta": [3, 4]},
+    }
+    problem = problem_of(room)
+    assert nearest_goal(problem, (2.0, 5.0, 0.0)) == pytest.approx((15.0, 5.0, 4.0 - math.tau))
+    assert nearest_goal(problem, (16.0, 9.0, 3.5)) == pytest.approx((16.0, 8.0, 3.5))
+    inside = (16.0, 5.0, 3.25 + 2 * math.tau)
+    assert nearest_goal(problem, inside) == inside
+    path = solve(room).path
+    assert replay(room, path).witnessed
+    assert not replay(room, path[:-1]).joins
+    escape = room | {"goal": {"escape": box(-30, -30, 5, 40)}}
+    found = push(escape, seconds=20.0, tries=2)
+    assert found.distance == pytest.approx(3.0)
+    assert found.reached
