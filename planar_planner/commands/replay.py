@@ -110,7 +110,8 @@ def _push(arguments: argparse.Namespace, scene: Scene) -> tuple[int, str, dict[s
             progress.say("drawing")
             with written_aside(arguments.save) as aside:
                 save_push(problem, found, aside, arguments.save.suffix)
-    text = f"{headline(result)}\n{push_text(found)}"
+    first, _, rest = push_text(found).partition("\n")
+    text = f"{first}\n  {headline(result)}\n{rest}"
     return _status(result, found), text, {"verdict": result.verdict} | found.to_json()
 
 

@@ -86,6 +86,9 @@ def test_a_push_where_no_path_is(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(command) == 0
     out, _ = capsys.readouterr()
     assert "none of 2 robots reached the goal" in out
+    assert "slot-jammed: no path, proven" in out
+    assert main([*command, "--quiet"]) == 0
+    assert capsys.readouterr().out == "slot-jammed: none of 2 robots reached the goal\n"
     assert main([*command, "--json", "-"]) == 0
     content = json.loads(capsys.readouterr().out)
     assert content["format"] == "planar-planner/push"
