@@ -21,6 +21,7 @@ from ablation_parts.picture import draw
 from ablation_parts.variants import ABLATIONS, TABLE_2, Outcome, Variant, outcome
 from native_bench import build
 from provenance import RESULTS, print_provenance, use_one_core, write_csv
+from shipped import with_point_goals
 
 from planar_planner import Options, load_scene
 from planar_planner.builtin import manifest
@@ -50,7 +51,7 @@ def settings(quick: bool) -> Settings:
     """Return the settings of a full or a quick run."""
     if quick:
         return Settings(("gear", "slot-jammed", "corner"), 4_000, 15_000, 1.0, 1.0, 0.02, 1, False)
-    return Settings(tuple(manifest()), 20_000, 400_000, 5.0, 120.0, 0.3, 5, True)
+    return Settings(tuple(with_point_goals()), 20_000, 400_000, 5.0, 120.0, 0.3, 5, True)
 
 
 def cullings_of(program: Path, scene: str, how: Settings) -> list[Culling]:

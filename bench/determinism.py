@@ -18,10 +18,10 @@ from pathlib import Path
 from typing import Any
 
 import provenance
+from shipped import with_point_goals
 
 from planar_planner import load_scene
-from planar_planner.builtin import manifest
-from planar_planner.problem import Polygons, make_problem
+from planar_planner.problem import Polygons, make_problem, point_goal
 
 MAX_CELLS = 20_000
 COMPILERS = ("g++", "clang++")
@@ -58,7 +58,7 @@ def numbers(values: Any) -> list[str]:
 
 def scenes() -> str:
     """Return the driver's input: all shipped scenes."""
-    names = list(manifest())
+    names = list(with_point_goals())
     out = [str(MAX_CELLS), str(len(names))]
     for name in names:
         problem = make_problem(load_scene(name))
@@ -66,7 +66,7 @@ def scenes() -> str:
         out += written(problem.robot) + written(problem.obstacles)
         out += numbers(problem.workspace_box) + written(problem.workspace)
         out += numbers(problem.reference_bounds)
-        out += [float(x).hex() for x in (*problem.start, *problem.goal)]
+        out += [float(x).hex() for x in (*problem.start, *point_goal(problem, "the native driver"))]
     return " ".join(out)
 
 

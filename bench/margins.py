@@ -7,9 +7,9 @@ certification for the next body). Writes ``bench/results/margins.csv``.
 from __future__ import annotations
 
 from provenance import print_provenance, use_one_core, write_csv
+from shipped import with_point_goals
 
 from planar_planner import Margin, margin
-from planar_planner.builtin import builtin_scenes
 
 HEADER = (
     "scene",
@@ -52,7 +52,7 @@ def main() -> None:
     facts = print_provenance()
     use_one_core()
     rows = []
-    for scene in builtin_scenes():
+    for scene in with_point_goals():
         found, without = margin(scene), margin(scene, reuse=False)
         rows.append(row(scene, found, without))
         print(

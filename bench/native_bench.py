@@ -17,7 +17,7 @@ from typing import Any
 from provenance import ROOT
 
 from planar_planner import load_scene
-from planar_planner.problem import Polygons, Problem, make_problem
+from planar_planner.problem import Polygons, Problem, make_problem, point_goal
 
 SOURCE = ROOT / "bench" / "native"
 
@@ -99,7 +99,11 @@ def as_numbers(problem: Problem) -> str:
         words += ["0"] if rectangle is None else ["1", *map(repr, map(float, rectangle))]
     words += ["0"] if problem.workspace is None else ["1", *_polygons(problem.workspace)]
     words += _polygons(problem.robot) + _polygons(problem.obstacles)
-    words += [repr(float(v)) for end in (problem.start, problem.goal) for v in end]
+    words += [
+        repr(float(v))
+        for end in (problem.start, point_goal(problem, "the native benchmark"))
+        for v in end
+    ]
     return " ".join(words) + "\n"
 
 

@@ -39,6 +39,7 @@ from ompl_table import (
     verdict_rows,
 )
 from provenance import RESULTS, print_provenance, write_csv
+from shipped import with_point_goals
 
 from planar_planner.builtin import manifest
 from planar_planner.command_arguments.importing import add_importing, import_options
@@ -143,7 +144,7 @@ def parse(argv: Sequence[str] | None = None) -> tuple[Plan, bool]:
         scenes = tuple(given.scenes) or QUICK_SCENES
         one = ("RRTConnect",)
         return Plan(scenes, one, one, RESOLUTIONS[1:], 3, 1.0, 0, importing), True
-    shipped = () if given.only else tuple(manifest())
+    shipped = () if given.only else tuple(with_point_goals())
     plan = Plan(
         (*shipped, *given.scenes),
         WHEEL_PLANNERS,

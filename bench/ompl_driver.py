@@ -14,7 +14,7 @@ from provenance import ROOT
 
 from planar_planner.fields import Box, Configuration
 from planar_planner.judge import unwrapped
-from planar_planner.problem import Polygons, Problem
+from planar_planner.problem import Polygons, Problem, point_goal
 
 PLANNERS = ("RRTConnect", "PRM", "KPIECE1", "EST")
 SOURCE = Path(__file__).parent / "ompl_native"
@@ -59,7 +59,7 @@ def dump(problem: Problem) -> str:
     parts = [
         f"{int(problem.rotation)}",
         _numbers(problem.start),
-        _numbers(problem.goal),
+        _numbers(point_goal(problem, "OMPL")),
         _box(problem.workspace_box),
         _box(problem.reference_bounds),
         _polygons(problem.robot),

@@ -17,10 +17,10 @@ from collections import Counter
 import numpy as np
 import provenance
 from scipy.spatial import ConvexHull, QhullError
+from shipped import with_point_goals
 
 import pdg
 from planar_planner import load_scene, solve
-from planar_planner.builtin import manifest
 from planar_planner.core import make_core
 from planar_planner.physics import push, replay
 from planar_planner.physics.contacts import reported, touched
@@ -38,7 +38,7 @@ def replays() -> tuple[list[list[object]], list[str]]:
     """Return a row for each scene with a path, and the scenes whose path is not witnessed."""
     rows: list[list[object]] = []
     failed = []
-    for name, entry in manifest().items():
+    for name, entry in with_point_goals().items():
         if entry["expected"] != "path":
             continue
         result = solve(load_scene(name))
@@ -68,7 +68,7 @@ def pushes() -> tuple[list[list[object]], list[str]]:
     """Return a row for each scene without a path, and the scenes where a robot reached its goal."""
     rows: list[list[object]] = []
     failed = []
-    for name, entry in manifest().items():
+    for name, entry in with_point_goals().items():
         if entry["expected"] != "no_path":
             continue
         began = time.perf_counter()
@@ -145,7 +145,7 @@ def placements() -> tuple[list[list[object]], list[str]]:
     random = np.random.default_rng(SEED)
     rows: list[list[object]] = []
     failed = []
-    for name in manifest():
+    for name in with_point_goals():
         problem = problem_of(name)
         core, world = make_core(problem), make_world(problem, dynamic=False)
         corners = np.concatenate([problem.obstacles.coords, [problem.start[:2], problem.goal[:2]]])

@@ -5,7 +5,19 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Literal
 
-from scenarios import bug_trap, comb, corner, field, gear, maze, piano, slot, small, snowflake
+from scenarios import (
+    bug_trap,
+    comb,
+    corner,
+    escape,
+    field,
+    gear,
+    maze,
+    piano,
+    slot,
+    small,
+    snowflake,
+)
 from scenarios.model import Scene
 
 LICENCE = "MIT"
@@ -118,4 +130,19 @@ ENTRIES: tuple[Entry, ...] = (
     Entry("fence", "path", "small.fence()", small.fence),
     Entry("disc", "path", "small.disc()", small.disc),
     Entry("disc-jammed", "no_path", "small.disc(0.8)", partial(small.disc, 0.8, "disc-jammed")),
+    Entry("cage", "no_path", "escape.cage()", escape.cage),
+    Entry(
+        "cage-open",
+        "path",
+        "escape.cage(OPEN_MOUTH)",
+        partial(escape.cage, escape.OPEN_MOUTH, "cage-open"),
+    ),
+    Entry("disassembly", "path", "escape.disassembly()", escape.disassembly),
+    Entry(
+        "disassembly-jammed",
+        "no_path",
+        "escape.disassembly(JAMMED_SLIT)",
+        partial(escape.disassembly, escape.JAMMED_SLIT, "disassembly-jammed"),
+    ),
+    Entry("piano-anywhere", "path", "piano.piano_anywhere()", piano.piano_anywhere),
 )

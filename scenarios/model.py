@@ -16,6 +16,7 @@ Ring: TypeAlias = list[Point]
 Configuration: TypeAlias = tuple[float, float, float]  # x, y, theta
 Box: TypeAlias = tuple[float, float, float, float]  # xmin, ymin, xmax, ymax
 Geometry: TypeAlias = dict[str, Any]  # a GeoJSON Polygon or MultiPolygon
+Goal: TypeAlias = Configuration | dict[str, Any] | str  # a set of configurations, as in a file
 
 
 class Scene(TypedDict):
@@ -31,7 +32,7 @@ class Scene(TypedDict):
     robot: Geometry
     obstacles: list[Geometry]
     start: list[float]
-    goal: list[float]
+    goal: list[float] | dict[str, Any] | str
 
 
 def scene(
@@ -41,7 +42,7 @@ def scene(
     robot: Geometry,
     obstacles: Sequence[Geometry],
     start: Configuration,
-    goal: Configuration,
+    goal: Goal,
     workspace: Box | Geometry | None = None,
     reference_bounds: Box | None = None,
     rotation: bool = True,
@@ -65,7 +66,7 @@ def scene(
     made["robot"] = robot
     made["obstacles"] = list(obstacles)
     made["start"] = [float(v) for v in start]
-    made["goal"] = [float(v) for v in goal]
+    made["goal"] = [float(v) for v in goal] if isinstance(goal, tuple) else goal
     return cast(Scene, made)  # built key by key, so that the file's order is ours
 
 

@@ -55,3 +55,12 @@ def piano(door: float = PATH_DOOR, name: str = "piano") -> Scene:
         start=(1.3, 1.4, 0.0),
         goal=(6.7, ROOM + WALL + 0.5 * CORRIDOR, 1.5),
     )
+
+
+def piano_anywhere() -> Scene:
+    """Piano scene with a goal that is a place, not a spot: upright, at the corridor's end."""
+    made = piano(name="piano-anywhere")
+    made["description"] = "The same piano, anywhere at the corridor's end, its keyboard to the end."
+    low, high = ROOM + WALL, ROOM + WALL + CORRIDOR
+    made["goal"] = {"region": box(5.5, low, 8.0, high), "theta": [1.5, 1.65]}
+    return made

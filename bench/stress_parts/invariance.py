@@ -18,9 +18,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import shapely
+from shipped import with_point_goals
 
 from planar_planner import Options, load_scene
-from planar_planner.builtin import manifest
 from stress_parts import redraw
 from stress_parts.common import REFUSED, Answer, Row, Scene, Settings, ask, expect
 from stress_parts.families import families
@@ -76,7 +76,7 @@ def _chance(case: str, subject: Subject) -> float:
 
 
 def _shipped() -> Iterator[Subject]:
-    for name, entry in manifest().items():
+    for name, entry in with_point_goals().items():
         scene = snapped(load_scene(name).to_dict())
         yield Subject(name, scene, str(entry["expected"]), tight=False)
 

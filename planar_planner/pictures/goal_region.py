@@ -18,10 +18,10 @@ def draw_goal_region(axes: Axes, goal: GoalRegion) -> list[Artist]:
     """Draw where the reference point is to get, or the polygon that it is to get out of."""
     style: dict[str, Any] = {"linewidth": 1.4, "edgecolor": GOAL}
     if goal.left is None:
-        label = "reference point gets in here"
+        label = "goal: reference point in here"
         style |= {"facecolor": rgba(GOAL, 0.14), "linestyle": "solid"}
     else:
-        label = "reference point gets out of here"
+        label = "goal: reference point out of here"
         style |= {"facecolor": "none", "linestyle": (0, (6, 3))}
     if goal.angles is not None:
         label += f", θ in [{goal.angles[0]:.4g}, {goal.angles[1]:.4g}]"

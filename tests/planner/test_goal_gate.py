@@ -172,7 +172,7 @@ def test_a_picture_shows_the_region(goal: Any, solved: bool) -> None:
     scene = load_scene(slot(0.6, goal))
     figure = draw_scene(scene, Planner(scene).solve() if solved else None)
     texts = [text.get_text() for text in figure.legends[0].get_texts()]
-    assert any(text.startswith("reference point gets") for text in texts)
+    assert any(text.startswith("goal: reference point") for text in texts)
     assert ("goal" in texts) == solved
 
 

@@ -13,7 +13,7 @@ from oracles.decisive import FOLDER, QUICK, SLOW, listed, proves
 from oracles.grid import decide, flood, free_cells, make_grid
 from oracles.scene_shapes import shapes
 
-from scenarios import corner, gear, maze
+from scenarios import corner, escape, gear, maze
 
 
 @pytest.mark.parametrize("name", QUICK)
@@ -32,9 +32,17 @@ def test_grid_never_proves_the_opposite() -> None:
 
 
 def test_every_scene_is_proved_somewhere() -> None:
-    analytic = {"corner", "corner-too-long"}
+    analytic = {"corner", "corner-too-long", "cage", "cage-open"}
     by_planner = {"gear", "gear-tight"}  # too tight for a uniform grid: their paths are checked
+    by_planner |= {"disassembly", "disassembly-jammed", "piano-anywhere"}  # and certificates
     assert set(QUICK) | set(SLOW) | analytic | by_planner == set(listed())
+
+
+def test_cages_lie_on_either_side_of_the_critical_mouth() -> None:
+    """A convex body passes a gap that is at least as wide as the body, and no other."""
+    width = 2.0 * np.cos(np.pi / 16)
+    assert 0.97 * width > escape.CAGING_MOUTH
+    assert 1.01 * width < escape.OPEN_MOUTH
 
 
 def test_corner_scenes_lie_on_either_side_of_the_critical_length() -> None:
