@@ -22,6 +22,7 @@ from planar_planner.placement import check_placements
 from planar_planner.problem import Problem, make_problem, with_query
 from planar_planner.result import Result, Undecided, make_result
 from planar_planner.scene import Scene, load_scene
+from planar_planner.wall import wall_of
 
 _SHORT_CUTS = ("cheap", "probe")  # parts that answer before there is a cell (native/parts.hpp)
 
@@ -84,6 +85,7 @@ class Planner:
         self.problem = make_problem(self.scene)
         self._without = _SHORT_CUTS if cells_only else ()
         self._core: Core | None = make_core(self.problem, self._without)
+        self._asked = self.problem  # with the ends of the last query
         self._busy = threading.Lock()
 
     def solve(
@@ -156,6 +158,23 @@ class Planner:
         with self._idle():
             return None if self._core is None else make_bottleneck(self._core.bottleneck())
 
+    def wall(self) -> Cells | None:
+        """Return the FULL cells and faces that separate the last query's start from its goal.
+
+        As few of them as possible; a face is a cell without extent along its normal. None if the
+        last query was not answered so, by cells or by a disc in the robot's place.
+
+        Raises
+        ------
+        RuntimeError
+            If a query of this planner is being answered.
+        """
+        with self._idle():
+            if self._core is None:
+                return None
+            certificate = make_certificate(self._asked, self._core.evidence(), 0.0)
+            return wall_of(self._asked, certificate or {})
+
     @contextmanager
     def _idle(self) -> Iterator[None]:
         """Keep others from asking meanwhile; refuse if a query is being answered."""
@@ -176,6 +195,7 @@ class Planner:
         """
         core = self._core or make_core(self.problem, self._without)
         self._core = None
+        self._asked = query
         try:
             check_placements(core, query, limits.contact_tolerance)
         except SceneError:

@@ -5,17 +5,41 @@ The public side of `planar_planner.pictures`, where each picture has a file of i
 
 from __future__ import annotations
 
+from planar_planner.pictures.filmstrip import draw_filmstrip
+from planar_planner.pictures.pinch import draw_wall
 from planar_planner.pictures.shapes import placed, polygon_paths
-from planar_planner.pictures.style import INK, MIDWAY, TRACE, fade, save_picture
+from planar_planner.pictures.slices import draw_slices
+from planar_planner.pictures.space import draw_space
+from planar_planner.pictures.style import (
+    BOUNDS,
+    GOAL,
+    INK,
+    MIDWAY,
+    OBSTACLE,
+    OUTSIDE,
+    START,
+    TRACE,
+    fade,
+    save_picture,
+)
 from planar_planner.pictures.swept import draw_scene
 from planar_planner.pictures.world import draw_ends, draw_world, frame_axes, title_of, view_box
 
 __all__ = [
+    "BOUNDS",
+    "GOAL",
     "INK",
     "MIDWAY",
+    "OBSTACLE",
+    "OUTSIDE",
+    "START",
     "TRACE",
     "draw_ends",
+    "draw_filmstrip",
     "draw_scene",
+    "draw_slices",
+    "draw_space",
+    "draw_wall",
     "draw_world",
     "fade",
     "frame_axes",

@@ -22,4 +22,4 @@ def add(commands: Any) -> None:
         status=VERDICTS,
     )
     add_query(check)
-    check.set_defaults(run=run, plot=None, verdict_only=True)
+    check.set_defaults(run=run, plot=None, view=None, theta=None, verdict_only=True)

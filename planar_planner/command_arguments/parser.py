@@ -80,11 +80,14 @@ def make_parser(command: str | None = None) -> CommandParser:
     return parser
 
 
+_NUMBERS = ("--start", "--goal", "--theta")  # options whose values may begin with a minus
+
+
 def _with_joined_numbers(argv: Sequence[str]) -> list[str]:
     """Write ``--start -1,2,0`` as ``--start=-1,2,0``, which argparse would take for an option."""
     joined: list[str] = []
     for argument in argv:
-        if joined and joined[-1] in ("--start", "--goal") and re.match(r"-[\d.]", argument):
+        if joined and joined[-1] in _NUMBERS and re.match(r"-[\d.]", argument):
             joined[-1] += f"={argument}"
         else:
             joined.append(argument)

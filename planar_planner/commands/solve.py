@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from planar_planner.command_arguments.limits import options_of
+from planar_planner.command_arguments.view import view_of
 from planar_planner.commands.scene_input import scene_of
 from planar_planner.json_output import json_output
 from planar_planner.output import check_writable, complain, emit, written_aside
@@ -16,6 +17,8 @@ from planar_planner.report import headline, statistics
 from planar_planner.terminal import VERDICT_STYLES, styled
 
 if TYPE_CHECKING:
+    from planar_planner.options import Options
+    from planar_planner.planner import Planner
     from planar_planner.result import Result
 
 EXIT_STATUS = {"path": 0, "no_path": 1, "undecided": 3}
@@ -24,16 +27,18 @@ EXIT_STATUS = {"path": 0, "no_path": 1, "undecided": 3}
 def run(arguments: argparse.Namespace) -> int:
     """Solve, then report: text, JSON, picture. The exit status is the verdict."""
     options = options_of(arguments)
+    view = view_of(arguments)
     output = json_output(arguments.json)
     for file in (arguments.certificate, arguments.plot):
         if file is not None:
             check_writable(file)
     scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
-    from planar_planner.planner import solve  # only now: a misspelt name is answered at once
+    from planar_planner.planner import Planner  # only now: a misspelt name is answered at once
 
     with Progress(sys.stderr, "checking the scene", quiet=arguments.quiet) as progress:
-        result = solve(
-            scene, options, listener=progress, certificate=arguments.certificate is not None
+        planner = Planner(scene)
+        result = planner.solve(
+            options=options, listener=progress, certificate=arguments.certificate is not None
         )
     if not output.to_stdout:
         print_verdict(result, brief=arguments.quiet or arguments.verdict_only)
@@ -43,12 +48,27 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.certificate is not None:
         _write_certificate(result, arguments.certificate)
     if arguments.plot is not None:
-        from planar_planner.plot import draw_scene, save_picture
-
-        figure = draw_scene(scene, result)
-        with written_aside(arguments.plot) as aside:
-            save_picture(figure, aside, arguments.plot.suffix)
+        _draw(planner, result, view, arguments, options)
     return EXIT_STATUS[result.verdict]
+
+
+def _draw(
+    planner: Planner,
+    result: Result,
+    view: str | None,
+    arguments: argparse.Namespace,
+    options: Options,
+) -> None:
+    from planar_planner.pictures.views import ViewError, draw_view
+    from planar_planner.plot import save_picture
+
+    try:
+        figure = draw_view(planner, result, view, arguments.theta, options)
+    except ViewError as error:
+        complain(f"{arguments.plot} is not written: {error}")
+        return
+    with written_aside(arguments.plot) as aside:
+        save_picture(figure, aside, arguments.plot.suffix)
 
 
 def _write_certificate(result: Result, file: Path) -> None:

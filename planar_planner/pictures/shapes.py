@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.path import Path
 from numpy.typing import NDArray
 
+from planar_planner.cells import Cells
 from planar_planner.fields import Box, Configuration
 from planar_planner.motion import Floats
 from planar_planner.problem import Polygons, Problem
@@ -53,6 +54,13 @@ def corners(box: Box) -> Floats:
     """Return the corners (4, 2) of a box, anticlockwise."""
     xmin, ymin, xmax, ymax = box
     return np.array([(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)])
+
+
+def rectangles(cells: Cells) -> Floats:
+    """Return the corners (N, 4, 2) of cells in the plane, anticlockwise."""
+    (x0, y0), (x1, y1) = cells.lower[:, :2].T, cells.upper[:, :2].T
+    turns = ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
+    return np.stack([np.stack(corner, axis=1) for corner in turns], axis=1)
 
 
 def moved(points: Floats, q: Configuration | Floats) -> Floats:

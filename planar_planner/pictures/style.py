@@ -19,14 +19,15 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from planar_planner.motion import Floats
 
 INK = "#222222"
-OBSTACLE = "#8C8C8C"
+OBSTACLE = "#666666"  # a lighter grey is MIDWAY to the colour-blind
 OUTSIDE = "#E9E9E9"  # where the body may not go, behind the workspace's outline
 START = "#0072B2"  # Okabe-Ito blue
 GOAL = "#D55E00"  # Okabe-Ito vermilion
+END_COLOURS = {"start": START, "goal": GOAL}
 MIDWAY = "#CC79A7"  # Okabe-Ito reddish purple: ghosts half way
 BOUNDS = "#009E73"  # Okabe-Ito bluish green
 TRACE = "#000000"
-OVERLAP = "#D55E00"  # where body and obstacles pinch
+OVERLAP = "#F0E442"  # Okabe-Ito yellow, hatched: where body and obstacles pinch
 
 PADDING = 0.12  # inches, round drawing, title and legend
 DPI = 150
