@@ -57,17 +57,18 @@ def drive_frames(
         edgecolor=INK,
         linewidth=1.2,
         alpha=0.9,
-        zorder=8,
     )
     axes.add_patch(robot)
-    (trail,) = axes.plot([], [], color=TRACE, linewidth=1.6, zorder=9)
+    (trail,) = axes.plot([], [], color=TRACE, linewidth=1.6)
+    (point,) = axes.plot([], [], "o", markersize=5, color=TRACE, markeredgecolor="white")
     stage.legend([Line2D([], [], color=TRACE, linewidth=1.6, label="path of the reference point")])
-    backdrop = Backdrop(stage.figure, [robot, trail, stage.status])
+    backdrop = Backdrop(stage.figure, [trail, robot, point, stage.status])
 
     for k, (q, done) in enumerate(zip(placed, where, strict=True)):
         robot.set_transform(Affine2D().rotate(q[2]).translate(q[0], q[1]) + axes.transData)
         behind = np.vstack([path[along < done, :2], q[:2]])
         trail.set_data(behind[:, 0], behind[:, 1])
+        point.set_data(q[:1], q[1:2])
         stage.status.set_text(_status(q, done, total))
         frame = backdrop.frame()
         held = pace.held_frames() if k in (0, len(placed) - 1) else 0

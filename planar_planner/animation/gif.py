@@ -15,6 +15,9 @@ from planar_planner.errors import OptionsError
 MAX_FPS = 50.0
 """GIF counts in hundredths of a second, and players slow down what is shorter than two of them."""
 
+MAX_PIXELS = 1_000_000_000
+"""Of all frames that differ, a byte each while the file is made; 83 s of 800 x 600, 25 a second."""
+
 
 def write_gif(frames: Iterable[Frame], fps: float, file: Path) -> None:
     """Write a GIF that repeats for ever.
@@ -25,7 +28,7 @@ def write_gif(frames: Iterable[Frame], fps: float, file: Path) -> None:
     Raises
     ------
     OptionsError
-        If there are more than 50 frames a second.
+        If there are more than 50 frames a second, or more than 10⁹ pixels in all.
     """
     check_gif_rate(fps)
     images: list[Image.Image] = []
@@ -38,6 +41,11 @@ def write_gif(frames: Iterable[Frame], fps: float, file: Path) -> None:
             ends[-1] = end
             continue
         image = Image.fromarray(frame)
+        if (len(images) + 1) * image.width * image.height > MAX_PIXELS:
+            raise OptionsError(
+                f"a GIF of more than {MAX_PIXELS:,} pixels in all does not fit the memory: "
+                "write .mp4, or raise speed, or lower seconds, fps or size"
+            )
         if palette is None:
             palette = image.quantize(255, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
         images.append(image.quantize(palette=palette, dither=Image.Dither.NONE))

@@ -149,7 +149,7 @@ def _statistics(material: Material) -> list[tuple[str, str]]:
 def _note(material: Material) -> str:
     """Return what a reader must know of the cells to take them for no more than they are."""
     notes = []
-    if material.result.verdict == "no_path":
+    if material.result.verdict == "no_path" and not material.second_search:
         notes.append(
             "Between start and goal lie FULL cells, and faces of cells on which every placement "
             "collides; faces are not drawn."

@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 from planar_planner import Planner
-from planar_planner.animation import mp4
+from planar_planner.animation import gif, mp4
 from planar_planner.animation.film import check_film, film_frames, write_film
 from planar_planner.animation.gif import write_gif
 from planar_planner.animation.material import Material, gather
@@ -84,6 +84,16 @@ def test_rounding_of_gif_durations_does_not_add_up(tmp_path: Path) -> None:
             film.seek(k)
             total += film.info["duration"]
     assert total == 400
+
+
+def test_a_gif_that_would_fill_the_memory_is_refused(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(gif, "MAX_PIXELS", 64 * 5)
+    frames = [np.full((8, 8, 3), 20 * (k // 2), dtype=np.uint8) for k in range(12)]
+    write_gif(frames[:10], 10.0, tmp_path / "a.gif")
+    with pytest.raises(OptionsError, match=r"write \.mp4"):
+        write_gif(frames, 10.0, tmp_path / "b.gif")
 
 
 def test_mp4_is_playable_and_deterministic(driven: Material, tmp_path: Path) -> None:
