@@ -11,24 +11,19 @@ from matplotlib.path import Path
 from matplotlib.transforms import Affine2D
 
 from planar_planner.animation.canvas import Backdrop, Frame
+from planar_planner.animation.material import Material
 from planar_planner.animation.pace import Pace
 from planar_planner.animation.stage import make_stage
 from planar_planner.motion import Floats, configurations_at, reach, travel
 from planar_planner.plot import INK, MIDWAY, TRACE, polygon_paths, title_of
-from planar_planner.problem import Problem
-from planar_planner.result import Result
 
 
-def drive_frames(
-    problem: Problem, result: Result, pace: Pace, size: tuple[int, int]
-) -> Iterator[Frame]:
+def drive_frames(material: Material, pace: Pace, size: tuple[int, int]) -> Iterator[Frame]:
     """Return the frames from start to goal, equally spaced in travel; the ends exactly, and held.
 
     Parameters
     ----------
-    problem : Problem
-        The scene, with the query that was answered.
-    result : PathFound
+    material : Material
         Its path is followed.
     pace : Pace
         Number of frames.
@@ -40,6 +35,7 @@ def drive_frames(
     (height, width, 3) of uint8
         One picture after the other; held frames are repeated.
     """
+    problem, result = material.problem, material.result
     path = result.path
     radius = reach(problem.robot)
     along = travel(path, radius)
@@ -48,7 +44,7 @@ def drive_frames(
     placed = configurations_at(path, radius, where)
     placed[-1] = path[-1]
 
-    stage = make_stage(problem, path, title_of(problem.name, result), size)
+    stage = make_stage(problem, path, title_of(problem.name, result), size, material.region)
     axes = stage.axes
     axes.plot(path[:, 0], path[:, 1], color=TRACE, linewidth=0.8, alpha=0.35, zorder=3)
     robot = PathPatch(

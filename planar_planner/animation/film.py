@@ -85,14 +85,13 @@ def film_frames(material: Material, pace: Pace, size: tuple[int, int]) -> Iterat
     OptionsError
         If there is neither a path nor an angle to sweep.
     """
-    problem, result, cells = material.problem, material.result, material.cells
-    if len(result.path):
-        return drive_frames(problem, result, pace, size)
-    if not problem.rotation:
+    if len(material.result.path):
+        return drive_frames(material, pace, size)
+    if not material.problem.rotation:
         raise OptionsError(
             "nothing moves: there is no path, and the robot may not turn; "
             "write .html, or a picture with solve --plot"
         )
-    if not len(cells):
+    if not len(material.cells):
         raise OptionsError("nothing to show: there is no path, and no cell was made")
-    return sweep_frames(problem, result, cells, pace, size)
+    return sweep_frames(material, pace, size)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from planar_planner.cells import Cells
+from planar_planner.goal import GoalRegion
 from planar_planner.options import Options
 from planar_planner.planner import Planner
 from planar_planner.problem import Problem, with_query
@@ -21,7 +22,9 @@ class Material:
     Attributes
     ----------
     problem : Problem
-        The scene, with the query that was answered.
+        The scene, with the query that was answered; with a path its ends are those.
+    region : GoalRegion or None
+        The goal, if it is a set of configurations.
     result : PathFound, NoPath or Undecided
         Its answer.
     cells : Cells
@@ -32,6 +35,7 @@ class Material:
     """
 
     problem: Problem
+    region: GoalRegion | None
     result: Result
     cells: Cells
     second_search: bool
@@ -60,13 +64,14 @@ def gather(
         False: make none, if the answer needed none.
     """
     problem = planner.problem
+    region = problem.goal if isinstance(problem.goal, GoalRegion) else None
     if len(result.path):
         problem = with_query(problem, result.path[0], result.path[-1])
     cells = planner.cells()
     if len(cells) or not cells_needed:
-        return Material(problem, result, cells, second_search=False)
+        return Material(problem, region, result, cells, second_search=False)
     limits = options or Options()
     limits = replace(limits, max_cells=min(limits.max_cells, CELLS_TO_SHOW))
     second = Planner(planner.scene, cells_only=True)
     second.solve(problem.start, problem.goal, limits)
-    return Material(problem, result, second.cells(), second_search=True)
+    return Material(problem, region, result, second.cells(), second_search=True)

@@ -17,11 +17,12 @@ from planar_planner.animation.pace import Pace
 from planar_planner.cells import LABELS
 from planar_planner.errors import one_line
 from planar_planner.fields import Box
+from planar_planner.goal import GoalRegion
 from planar_planner.label_colours import LABEL_COLOURS
 from planar_planner.motion import Floats, reach, travel
 from planar_planner.pictures.style import BOUNDS, GOAL, START
 from planar_planner.plot import MIDWAY, view_box
-from planar_planner.problem import Polygons, Problem, point_goal
+from planar_planner.problem import Polygons, Problem, ends
 from planar_planner.report import headline
 
 FORMAT = "planar-planner/animation"
@@ -58,6 +59,7 @@ def page_material(
     if size is not None:
         check_size(size)
     problem, result = material.problem, material.result
+    both = ends(problem)
     along = travel(result.path, reach(problem.robot)) if len(result.path) else np.empty(0)
     length = float(along[-1]) if len(along) else float(np.pi * 2.0)
     return {
@@ -69,7 +71,8 @@ def page_material(
         "world": _world(problem, result.path),
         "robot": _rings(problem.robot),
         "start": _rounded(problem.start),
-        "goal": _rounded(point_goal(problem, "a page without a path")),
+        "goal": _rounded(both["goal"]) if "goal" in both else None,
+        "region": None if material.region is None else _region(material.region),
         "path": [_rounded(q) for q in result.path.tolist()],
         "travel": _rounded(along.tolist()),
         "seconds": pace.duration(length),
@@ -98,6 +101,15 @@ def _world(problem: Problem, path: Floats) -> dict[str, Any]:
         "obstacles": _rings(problem.obstacles),
         "view": view_box(problem, path),
     }
+
+
+def _region(goal: GoalRegion) -> dict[str, Any]:
+    """Return where the reference point is to get, or the polygon that it is to get out of."""
+    escape = goal.left is not None
+    text = "goal: reference point gets " + ("out of here" if escape else "in here")
+    if goal.angles is not None:
+        text += f", θ in [{goal.angles[0]:.4g}, {goal.angles[1]:.4g}]"
+    return {"outline": _rings(goal.left or goal.polygons), "escape": escape, "text": text}
 
 
 def _rings(polygons: Polygons) -> list[list[list[float]]]:

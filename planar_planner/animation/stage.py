@@ -11,7 +11,9 @@ from matplotlib.figure import Figure
 from matplotlib.text import Annotation
 
 from planar_planner.animation.canvas import blank_figure
+from planar_planner.goal import GoalRegion
 from planar_planner.motion import Floats
+from planar_planner.pictures.goal_region import draw_goal_region
 from planar_planner.plot import INK, draw_ends, draw_world, frame_axes, view_box
 from planar_planner.problem import Problem
 
@@ -52,7 +54,13 @@ class Stage:
             )
 
 
-def make_stage(problem: Problem, path: Floats, title: str, size: tuple[int, int]) -> Stage:
+def make_stage(
+    problem: Problem,
+    path: Floats,
+    title: str,
+    size: tuple[int, int],
+    region: GoalRegion | None = None,
+) -> Stage:
     """Draw what stands still.
 
     Parameters
@@ -65,10 +73,14 @@ def make_stage(problem: Problem, path: Floats, title: str, size: tuple[int, int]
         Shown literally.
     size : (width, height)
         In pixels.
+    region : GoalRegion, optional
+        Goal to draw.
     """
     figure = blank_figure(size)
     axes = figure.add_subplot()
     keys = draw_world(axes, problem)
+    if region is not None:
+        keys += draw_goal_region(axes, region)
     keys += draw_ends(axes, problem)
     frame_axes(axes, view_box(problem, path), outlined=problem.reference_bounds is None)
     text = axes.set_title(f"{_fitting(title, size[0])}\n", color=INK, fontsize=12)

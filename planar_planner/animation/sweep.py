@@ -12,30 +12,24 @@ from matplotlib.path import Path
 from matplotlib.transforms import Affine2D
 
 from planar_planner.animation.canvas import Backdrop, Frame
+from planar_planner.animation.material import Material
 from planar_planner.animation.pace import Pace
 from planar_planner.animation.slice_image import SliceImage
 from planar_planner.animation.stage import make_stage
-from planar_planner.cells import LABELS, Cells
+from planar_planner.cells import LABELS
 from planar_planner.plot import INK, polygon_paths, title_of
-from planar_planner.problem import Problem, ends
-from planar_planner.result import Result
+from planar_planner.problem import ends
 
 OBSTACLES_ZORDER = 1.0  # in planar_planner.plot; what is below is background
 
 
-def sweep_frames(
-    problem: Problem, result: Result, cells: Cells, pace: Pace, size: tuple[int, int]
-) -> Iterator[Frame]:
+def sweep_frames(material: Material, pace: Pace, size: tuple[int, int]) -> Iterator[Frame]:
     """Return frames of the cells at angles from 0 up to 2π, evenly, so that the film closes.
 
     Parameters
     ----------
-    problem : Problem
-        The scene, with the query that was answered.
-    result : NoPath or Undecided
-        For the title.
-    cells : Cells
-        What to slice; of a robot that may turn.
+    material : Material
+        Its cells, of a robot that may turn, are sliced.
     pace : Pace
         Its speed is in radians a second; nothing is held, since no frame is an end.
     size : (width, height)
@@ -46,14 +40,15 @@ def sweep_frames(
     (height, width, 3) of uint8
         One picture after the other.
     """
-    stage = make_stage(problem, result.path, title_of(problem.name, result), size)
+    problem, result = material.problem, material.result
+    stage = make_stage(problem, result.path, title_of(problem.name, result), size, material.region)
     axes = stage.axes
     world = sorted([*axes.collections, *axes.patches, *axes.lines], key=Artist.get_zorder)
     over = [artist for artist in world if artist.get_zorder() >= OBSTACLES_ZORDER]
     for collection in axes.collections:
         collection.set_alpha(0.4)  # so that the cells show through bodies
     limits = axes.get_xlim(), axes.get_ylim()
-    picture = SliceImage(cells, min(size))
+    picture = SliceImage(material.cells, min(size))
     image = axes.imshow(
         picture.at(0.0),
         extent=picture.extent,
@@ -64,8 +59,7 @@ def sweep_frames(
     axes.set(xlim=limits[0], ylim=limits[1])  # imshow has moved them
     shape = Path.make_compound_path(*polygon_paths(problem.robot))
     turning = [
-        PathPatch(shape, facecolor="none", edgecolor=INK, linewidth=1.2, zorder=8)
-        for _ in ends(problem)
+        PathPatch(shape, facecolor="none", edgecolor=INK, linewidth=1.2) for _ in ends(problem)
     ]
     for patch in turning:
         axes.add_patch(patch)

@@ -111,9 +111,9 @@ def test_mp4_is_playable_and_deterministic(driven: Material, tmp_path: Path) -> 
     ).stdout
     frames = np.frombuffer(read_back, dtype=np.uint8).reshape(-1, 200, 240, 3)
     assert len(frames) == 11
-    assert like(frames[0], MIDWAY, 40).sum() > 100
     drawn = list(film_frames(driven, SHORT, SIZE))
     assert np.abs(frames[6].astype(int) - drawn[6]).mean() < 4.0
+    assert like(frames[6], MIDWAY, 40).sum() > 0.5 * like(drawn[6], MIDWAY, 40).sum() > 40
 
 
 def test_without_a_path_the_cells_are_swept_through_all_angles(too_long: Material) -> None:

@@ -13,10 +13,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from goal_worlds import slot
 
 from planar_planner import Planner, load_scene
 from planar_planner.animation import cell_bytes
 from planar_planner.animation.cell_bytes import packed_cells
+from planar_planner.animation.film import film_frames
 from planar_planner.animation.material import Material, gather
 from planar_planner.animation.pace import Pace
 from planar_planner.animation.page import page_text, write_page
@@ -190,3 +192,17 @@ def test_cells_of_a_second_search_are_called_so() -> None:
 def test_sizes_are_bounded(gear: Material) -> None:
     with pytest.raises(OptionsError, match="160 to 4096"):
         page_text(gear, Pace(), (0, 0))
+
+
+@pytest.mark.parametrize("height", [1.0, 0.3])
+def test_a_goal_that_is_a_region_is_shown(height: float) -> None:
+    square = {"type": "Polygon", "coordinates": [[[7, 7], [9, 7], [9, 9], [7, 9]]]}
+    material = material_of(slot(height, {"region": square, "theta": [1.0, 2.0]}))
+    content = content_of(page_text(material, Pace()))
+    assert content["region"]["outline"] == [[[7.0, 7.0, 9.0, 7.0, 9.0, 9.0, 7.0, 9.0]]]
+    assert "θ in [1, 2]" in content["region"]["text"]
+    found = material.result.verdict == "path"
+    assert found == (height > 0.5)
+    assert content["goal"] == (pytest.approx(material.result.path[-1]) if found else None)
+    frames = film_frames(material, Pace(seconds=0.4, fps=5.0), (240, 200))
+    assert len(list(frames)) >= 2

@@ -38,6 +38,19 @@ function drawLine(view, points, colour, wide) {
   context.stroke();
 }
 
+/** Where the goal is a region: its outline, filled unless the robot is to get out of it. */
+function drawRegion(view, region, colour, context = view.context) {
+  context.lineWidth = view.line(2);
+  context.strokeStyle = colour;
+  context.fillStyle = `${colour}26`;
+  context.setLineDash(region.escape ? [view.line(7), view.line(4)] : []);
+  for (const shape of region.outline.map(pathOf)) {
+    if (!region.escape) context.fill(shape, "evenodd");
+    context.stroke(shape);
+  }
+  context.setLineDash([]);
+}
+
 /** A point with a white rim. */
 function drawMark(view, [x, y], colour, radius) {
   const { context } = view;

@@ -81,7 +81,9 @@ function writeTexts(material) {
   byId("verdict").textContent = material.verdict;
   byId("statistics").append(...material.statistics.map(([name, value]) => row(name, value)));
   byId("note").textContent = material.note;
-  const legend = [["start", colours.start], ["goal", colours.goal]];
+  const legend = [["start", colours.start]];
+  if (material.goal) legend.push(["goal", colours.goal]);
+  if (material.region) legend.push([material.region.text, `${colours.goal}59`]);
   if (material.path.length) legend.push(["robot", colours.robot]);
   if (cells) {
     legend.push(...material.labels.map((name) => [`${name}: ${material.meanings[name]}`, colours[name]]));

@@ -68,6 +68,7 @@ class SliceView extends View {
       drawLine(this, path, "#000000aa", 1);
       drawLine(this, pointsBehind(path, travel, state.where), "#000000", 2.5);
     }
+    if (material.region) drawRegion(this, material.region, colours.goal);
     if (start) drawMark(this, start, colours.start, 5);
     if (goal) drawMark(this, goal, colours.goal, 5);
     if (path.length) {

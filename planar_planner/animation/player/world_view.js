@@ -37,6 +37,7 @@ class WorldView extends View {
       Object.assign(context, { strokeStyle: theme.ink, lineWidth: this.line(1.8) });
       context.stroke(this.room);
     }
+    if (material.region) drawRegion(this, material.region, material.colours.goal, context);
     if (this.bounds) {
       const [left, bottom, right, top] = this.bounds;
       Object.assign(context, { strokeStyle: material.colours.bounds, lineWidth: this.line(1.8) });
