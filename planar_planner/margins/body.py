@@ -14,6 +14,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from pdg._core import first_defect
 from planar_planner.problem import Polygons
 
 Floats = NDArray[np.float64]
@@ -21,6 +22,10 @@ Rings = Sequence[Floats]
 
 UNIT_ROUNDOFF = 2.0**-53
 """u: a rounded operation's relative error."""
+
+
+class ClaimError(Exception):
+    """What a body has to keep could not be established."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,13 +68,24 @@ class Family(Protocol):
 
 
 def polygons_of(shapes: Sequence[Rings]) -> Polygons:
-    """Return polygons, each its outer ring and then its holes, in the core's form."""
+    """Return polygons, each its outer ring and then its holes, in the core's form.
+
+    Raises
+    ------
+    ClaimError
+        If one is not simple, for the exact doubles; rounding can do that to bodies that are small,
+        or hardly differ from the robot.
+    """
     rings = [ring for shape in shapes for ring in shape]
-    return Polygons(
+    polygons = Polygons(
         np.ascontiguousarray(np.concatenate(rings)),
         np.cumsum([0, *map(len, rings)], dtype=np.uint32),
         np.cumsum([0, *map(len, shapes)], dtype=np.uint32),
     )
+    defect = first_defect(*polygons.arrays)
+    if defect is not None:
+        raise ClaimError(f"the tolerance is below what rounding allows: {defect[1]}")
+    return polygons
 
 
 def shapes_of(polygons: Polygons) -> list[list[Floats]]:

@@ -4,7 +4,8 @@ Every query narrows the bracket whatever it answers; an undecided one leaves a g
 approached from both sides. What is re-used from one body to the next:
 
 - the path, certified again for the larger body, which spares the query;
-- its clearance, which lifts the lower end above the body that was asked about.
+- its clearance, which lifts the lower end above the body that was asked about;
+- its bottleneck, whose clearance is a guess of the margin: two queries beside it often do.
 """
 
 from __future__ import annotations
@@ -16,8 +17,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from planar_planner.core import Listener, ask, make_core
-from planar_planner.margins.body import Body, Family, Floats
-from planar_planner.margins.erosion import ClaimError
+from planar_planner.margins.body import Body, ClaimError, Family, Floats
 from planar_planner.options import Options
 from planar_planner.problem import Problem
 
@@ -26,6 +26,16 @@ SHARE = 0.5
 
 MOST_UNDECIDED = 6
 """Undecided queries after which the bracket stands as it is."""
+
+NEAR = 0.7
+"""Of the tolerance: how far on either side of a guess is asked first. The body asked about is in
+the middle of that, give or take a tenth, so two that are right leave 0.84 of the tolerance."""
+
+FARTHER = 4.0
+"""How much farther after a miss, so that a wrong guess costs a logarithm of its error."""
+
+Guess = Callable[["Bracket"], float | None]
+"""Guesses the margin from the path at the lower end, or does not."""
 
 NO_PATH: Floats = np.empty((0, 3))
 
@@ -74,6 +84,7 @@ class Search:
         listener: Listener | None,
         *,
         reuse: bool = True,
+        guess: Guess | None = None,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._problem = problem
@@ -81,23 +92,59 @@ class Search:
         self._options = options
         self._listener = listener
         self._reuse = reuse
+        self._guess = guess if reuse else None
         self._clock = clock
         self._deadline = clock() + options.timeout
 
     def narrow(self, bracket: Bracket, tolerance: float) -> None:
         """Ask until the bracket is as narrow as the tolerance, or a limit is reached."""
-        while bracket.upper - bracket.lower > tolerance and not bracket.reason:
+        self._close_in(bracket, tolerance)
+        self._bisect(bracket, tolerance)
+
+    def _close_in(self, bracket: Bracket, tolerance: float) -> None:
+        """Ask on both sides of where the last path suggests, farther off after a miss."""
+        guess, near = self._guessed(bracket), NEAR * tolerance
+        while guess is not None and _is_open(bracket, tolerance) and bracket.undecided is None:
+            if bracket.lower < guess - near:
+                low, high = guess - near, guess
+            elif bracket.upper > guess + near:
+                low, high = guess, guess + near
+            else:
+                return
+            before = bracket.counts["bodies"]
+            self._ask_between(bracket, low, high, needed=False)
+            if bracket.counts["bodies"] == before:
+                return
+            if bracket.upper < high == guess:
+                guess, near = bracket.upper, FARTHER * near
+            elif bracket.lower > low == guess:
+                guess, near = self._guessed(bracket) or bracket.lower, FARTHER * near
+
+    def _guessed(self, bracket: Bracket) -> float | None:
+        """Return a guess within the bracket, or None."""
+        if self._guess is None or not len(bracket.path):
+            return None
+        guess = self._guess(bracket)
+        if guess is None or not bracket.lower < guess < bracket.upper:
+            return None
+        return guess
+
+    def _bisect(self, bracket: Bracket, tolerance: float) -> None:
+        while _is_open(bracket, tolerance):
             low, high = _open_part(bracket)
             if high - low < 0.25 * tolerance:
                 bracket.reason = _stuck(bracket)
                 return
             self._ask_between(bracket, low, high)
 
-    def _ask_between(self, bracket: Bracket, low: float, high: float) -> None:
+    def _ask_between(
+        self, bracket: Bracket, low: float, high: float, *, needed: bool = True
+    ) -> None:
+        """Ask a body between two margins; if there is none that is `needed`, note why."""
         try:
             body = self._family.between(low, high)
         except ClaimError as error:
-            bracket.reason = str(error)
+            bracket.reason = str(error) if needed else bracket.reason
             return
         if not low < body.inner <= body.outer < high:
             bracket.reason = "the tolerance is below what rounding allows"
@@ -108,7 +155,7 @@ class Search:
     def look_below(self, bracket: Bracket, tolerance: float) -> None:
         """Ask just below the margin at which an end collides: in open scenes that settles it."""
         if bracket.lower >= self._family.neutral and bracket.upper - bracket.lower > tolerance:
-            self._ask_between(bracket, bracket.upper - tolerance, bracket.upper)
+            self._ask_between(bracket, bracket.upper - tolerance, bracket.upper, needed=False)
 
     def ask(self, bracket: Bracket, body: Body) -> None:
         """Learn from one body: from the last path if that still holds, else from a query."""
@@ -157,6 +204,10 @@ def _accept(bracket: Bracket, lower: float, path: Floats, body: Body) -> None:
         raise RuntimeError(f"proven both: a path at {lower!r}, and none at {bracket.upper!r}")
     bracket.lower = max(lower, bracket.lower)
     bracket.path, bracket.lower_body = path, body
+
+
+def _is_open(bracket: Bracket, tolerance: float) -> bool:
+    return bracket.upper - bracket.lower > tolerance and not bracket.reason
 
 
 def _open_part(bracket: Bracket) -> tuple[float, float]:

@@ -25,7 +25,7 @@ import shapely
 from numpy.typing import NDArray
 
 from pdg import _core
-from planar_planner.margins.body import UNIT_ROUNDOFF, Floats, Rings
+from planar_planner.margins.body import UNIT_ROUNDOFF, ClaimError, Floats, Rings
 from planar_planner.margins.rounded_hull import circumscribed
 from planar_planner.margins.segments import distances, edges_of, inside_ring, rounding_of
 
@@ -40,10 +40,6 @@ BLOCKS = 16
 """Parts in which a level is looked at, to bound memory."""
 
 Shapes = list[list[Floats]]
-
-
-class ClaimError(Exception):
-    """A claim about a candidate could not be established."""
 
 
 def eroded(shape: Rings, depth: float, excess: float) -> Shapes:

@@ -85,7 +85,10 @@ def margin(
     else:
         family, limit, binding = Offsets(problem.robot), ends.limit, ends.binding
     bracket = Bracket(family.vanishing, limit, binding=binding)
-    search = Search(problem, family, options or Options(), listener, reuse=reuse)
+    narrowest = _Narrowest(problem, by, around)
+    search = Search(
+        problem, family, options or Options(), listener, reuse=reuse, guess=narrowest.guess
+    )
     search.ask(bracket, Body(problem.robot, family.neutral, family.neutral))
     if bracket.lower >= family.neutral and not math.isfinite(bracket.upper):
         bracket.lower = math.inf
@@ -95,7 +98,7 @@ def margin(
         search.look_below(bracket, width)
         search.narrow(bracket, width)
     found = _Measured(problem, by, width, family.monotone, ends, bracket)
-    return _result(found, around, time.monotonic() - began)
+    return _result(found, narrowest, time.monotonic() - began)
 
 
 def _tolerance(problem: Problem, by: By, tolerance: float | None) -> float:
@@ -107,6 +110,45 @@ def _tolerance(problem: Problem, by: By, tolerance: float | None) -> float:
         return DEFAULT_TOLERANCE
     extent = np.ptp(problem.robot.coords, axis=0)
     return DEFAULT_TOLERANCE * 0.5 * math.hypot(*extent.tolist())
+
+
+class _Narrowest:
+    """Where a bracket's path, or the end that binds, has least room; looked for once a path."""
+
+    def __init__(self, problem: Problem, by: By, around: Surroundings) -> None:
+        self._problem = problem
+        self._by = by
+        self._around = around
+        self._last: tuple[Floats, NarrowPlace | None] | None = None
+
+    def of(self, bracket: Bracket) -> NarrowPlace | None:
+        """Return the narrowest place at the lower end, if there is a body with a path."""
+        if not len(bracket.path):
+            return None
+        ends = {"start": bracket.path[:1], "goal": bracket.path[-1:]}
+        if bracket.binding in ends:
+            return self._look(ends[bracket.binding], bracket)
+        if self._last is None or self._last[0] is not bracket.path:
+            self._last = bracket.path, self._look(bracket.path, bracket)
+        return self._last[1]
+
+    def guess(self, bracket: Bracket) -> float | None:
+        """Guess the margin: at the bottleneck a robot grown by the clearance just passes."""
+        place, body = self.of(bracket), bracket.lower_body
+        if place is None or body is None or self._by != "offset":
+            return None
+        return place.clearance + min(body.inner, 0.0)
+
+    def _look(self, path: Floats, bracket: Bracket) -> NarrowPlace | None:
+        body, problem = bracket.lower_body, self._problem
+        if body is None or body.polygons is None:
+            return None
+        robot = problem.robot if self._by == "offset" and body.inner >= 0.0 else body.polygons
+        found = find_bottleneck(path, robot, self._around, problem)
+        if found is None:
+            return None
+        (x, y, theta), clearance, contacts = found
+        return NarrowPlace((float(x), float(y), float(theta)), clearance, contacts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,7 +163,7 @@ class _Measured:
     bracket: Bracket
 
 
-def _result(found: _Measured, around: Surroundings, seconds: float) -> Margin:
+def _result(found: _Measured, narrowest: _Narrowest, seconds: float) -> Margin:
     bracket = found.bracket
     lower, upper = bracket.lower_body, bracket.upper_body
     vanishes = not len(bracket.path) and not bracket.reason
@@ -136,29 +178,13 @@ def _result(found: _Measured, around: Surroundings, seconds: float) -> Margin:
         binding="size" if vanishes else cast(Binding, bracket.binding),
         start_clearance=found.ends.start,
         goal_clearance=found.ends.goal,
-        bottleneck=_bottleneck(found, around),
+        bottleneck=narrowest.of(bracket),
         path=_frozen(bracket.path),
         robot_lower=None if lower is None else geometry_of(lower.polygons),
         robot_upper=None if upper is None else geometry_of(upper.polygons),
         counts=bracket.counts,
         seconds=seconds,
     )
-
-
-def _bottleneck(found: _Measured, around: Surroundings) -> NarrowPlace | None:
-    """Look where the way, or the end that binds, has least room."""
-    bracket, problem = found.bracket, found.problem
-    body = bracket.lower_body
-    if not len(bracket.path) or body is None or body.polygons is None:
-        return None
-    robot = problem.robot if found.by == "offset" and body.inner >= 0.0 else body.polygons
-    ends = {"start": bracket.path[:1], "goal": bracket.path[-1:]}
-    path = ends.get(bracket.binding, bracket.path)
-    place = find_bottleneck(path, robot, around, problem)
-    if place is None:
-        return None
-    q, clearance, contacts = place
-    return NarrowPlace((float(q[0]), float(q[1]), float(q[2])), clearance, contacts)
 
 
 def _frozen(path: Floats) -> Floats:

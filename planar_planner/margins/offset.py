@@ -21,8 +21,8 @@ import numpy as np
 import shapely
 
 import pdg
-from planar_planner.margins.body import Body, Floats, polygons_of, shapes_of
-from planar_planner.margins.erosion import ClaimError, depths, eroded
+from planar_planner.margins.body import Body, ClaimError, Floats, polygons_of, shapes_of
+from planar_planner.margins.erosion import depths, eroded
 from planar_planner.margins.rounded_hull import circumscribed, inner_radius, outer_radius
 from planar_planner.problem import Polygons
 

@@ -22,7 +22,11 @@ import math
 
 import numpy as np
 
-from planar_planner.margins.body import UNIT_ROUNDOFF, Floats
+from planar_planner.margins.body import UNIT_ROUNDOFF, ClaimError, Floats
+
+MOST_STEPS = 4096
+"""Edges that a full turn may take. excess / radius = (tau / MOST_STEPS)^2 / 8 = 3e-7, so tolerances
+from about two millionths of the margin can be met; queries about larger bodies take too long."""
 
 
 def circumscribed(ring: Floats, radius: float, excess: float) -> Floats:
@@ -34,12 +38,19 @@ def circumscribed(ring: Floats, radius: float, excess: float) -> Floats:
         K, anticlockwise and strictly convex, or the two ends of a segment.
     radius, excess : float
         Positive lengths.
+
+    Raises
+    ------
+    ClaimError
+        If that takes more than `MOST_STEPS` edges a turn.
     """
     edges = np.roll(ring, -1, axis=0) - ring
     angles = np.arctan2(-edges[:, 0], edges[:, 1])  # of the outward normals
     before = np.roll(angles, 1)  # of the edge that ends in a vertex
     turns = np.mod(angles - before, math.tau)
     step = 2.0 * math.acos(radius / (radius + excess))
+    if step * MOST_STEPS < math.tau:
+        raise ClaimError("the tolerance is too small beside the margin: a body has too many edges")
     points: list[Floats] = []
     for vertex, first, turn in zip(ring, before, turns, strict=True):
         count = max(1, math.ceil(turn / step))

@@ -55,13 +55,13 @@ def margin_details(margin: Margin) -> str:
 def _range(margin: Margin) -> str:
     if math.isinf(margin.lower):
         return "the robot can be as large as you like"
-    digits = 3 + max(0, math.ceil(-math.log10(margin.upper - margin.lower or 1e-12)))
+    digits = 2 + max(0, math.ceil(-math.log10(margin.tolerance)))
     low, high = round(margin.lower, digits), round(margin.upper, digits)
     what = "scaled by" if margin.by == "scale" else "grown by"
     if margin.by == "offset" and margin.upper <= 0.0:
         what, low, high = "shrunk by", -high, -low
-        return f"a path for the robot {what} {high:g}, none by {low:g}"
-    return f"a path for the robot {what} {low:g}, none by {high:g}"
+        return f"a path for the robot {what} {high!r}, none by {low!r}"
+    return f"a path for the robot {what} {low!r}, none by {high!r}"
 
 
 def _monotone_line(margin: Margin) -> str:

@@ -10,8 +10,8 @@ import shapely
 from shapely import affinity
 
 from planar_planner import load_scene
-from planar_planner.margins.body import Body, Family, geometry_of, polygons_of
-from planar_planner.margins.erosion import ClaimError, depths, eroded
+from planar_planner.margins.body import Body, ClaimError, Family, geometry_of, polygons_of
+from planar_planner.margins.erosion import depths, eroded
 from planar_planner.margins.offset import Offsets
 from planar_planner.margins.rounded_hull import circumscribed, inner_radius, outer_radius
 from planar_planner.margins.scaling import Scalings
