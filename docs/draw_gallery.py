@@ -6,6 +6,8 @@ Needs the installed package. Rewrites ``docs/pictures/``; stops at a verdict tha
 import sys
 from pathlib import Path
 
+from small_picture import save_small
+
 from planar_planner import load_scene, solve
 from planar_planner.builtin import manifest
 from planar_planner.plot import draw_scene
@@ -24,8 +26,7 @@ def main() -> None:
         if result.verdict != expected:
             raise SystemExit(f"{name}: {result.verdict}, expected {expected}")
         figure = draw_scene(scene, result)
-        # No creation date: the same picture is the same file.
-        figure.savefig(PICTURES / f"{name}.png", dpi=DPI, metadata={"Software": None})
+        save_small(figure, PICTURES / f"{name}.png", DPI)
 
 
 if __name__ == "__main__":
