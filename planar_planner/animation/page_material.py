@@ -168,8 +168,8 @@ def _note(material: Material) -> str:
         )
     if material.second_search and len(material.cells):
         notes.append(
-            f"The answer needed no cells; the {len(material.cells):,} shown are those of a second "
-            "search, by cells only."
+            "The answer rests on no cells of the robot itself; the "
+            f"{len(material.cells):,} shown are those of a second search, by cells only."
         )
     if not len(material.cells):
         notes.append("There are no cells to show.")

@@ -152,6 +152,18 @@ def test_keys(opened: Any) -> None:
     assert page.state()["zoom"] == 1.0
 
 
+@pytest.mark.parametrize("window", [(1280, 560), (1600, 1000), (800, 1000)])
+def test_views_and_controls_are_on_one_screen(opened: Any, window: tuple[int, int]) -> None:
+    page = opened("gear-jammed", window, prefers_reduced_motion="reduce")
+    page.state()
+    assert page.run("return document.scrollingElement.scrollWidth") <= window[0]
+    for part in ("#world", "#slice", "#play", "#legend"):
+        _, y = page.middle(part)
+        assert 0 < y < window[1], part
+        size = page.run("return document.querySelector(arguments[0]).clientWidth", part)
+        assert size > 20, part
+
+
 def test_following_keeps_the_robot_in_the_middle(opened: Any) -> None:
     page = opened("gear", prefers_reduced_motion="reduce")
     seek(page, 0.3)

@@ -63,10 +63,11 @@ function row(name, value) {
   return line;
 }
 
-function legendEntry(text, colour) {
+function legendEntry(text, colour, dashed = false) {
   const entry = document.createElement("li");
   const patch = document.createElement("i");
-  patch.style.background = colour;
+  if (dashed) patch.style.border = `2px dashed ${colour}`;
+  else patch.style.background = colour;
   entry.append(patch, text);
   return entry;
 }
@@ -83,13 +84,17 @@ function writeTexts(material) {
   byId("note").textContent = material.note;
   const legend = [["start", colours.start]];
   if (material.goal) legend.push(["goal", colours.goal]);
-  if (material.region) legend.push([material.region.text, `${colours.goal}59`]);
+  if (material.region) {
+    const { text, escape } = material.region;
+    legend.push([text, escape ? colours.goal : `${colours.goal}59`, escape]);
+  }
+  if (material.world.bounds) legend.push(["bounds of the reference point", colours.bounds, true]);
   if (material.path.length) legend.push(["robot", colours.robot]);
   if (cells) {
     legend.push(...material.labels.map((name) => [`${name}: ${material.meanings[name]}`, colours[name]]));
     if (cells.shown < cells.count) legend.push(["smaller cells than are shown", "var(--none)"]);
   }
-  byId("legend").append(...legend.map(([text, colour]) => legendEntry(text, colour)));
+  byId("legend").append(...legend.map((entry) => legendEntry(...entry)));
   byId("cells").hidden = !cells;
   byId("following").hidden = !material.path.length;
   for (const id of ["play", "scrub", "clock", "rate"]) byId(id).hidden = !moves(material);
