@@ -10,6 +10,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TextIO
 
+from planar_planner.errors import one_line
+
 
 class OutputError(Exception):
     """Something could not be written; prints as one line."""
@@ -32,7 +34,7 @@ def flush() -> None:
 def complain(text: str) -> None:
     """Print one line to standard error; if even that fails, nobody is left to tell."""
     with contextlib.suppress(OutputError):
-        _write(sys.stderr, f"planar-planner: {text}\n", "standard error")
+        _write(sys.stderr, f"planar-planner: {one_line(text)}\n", "standard error")
 
 
 def _write(stream: TextIO | None, text: str, name: str) -> None:

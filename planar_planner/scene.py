@@ -6,6 +6,7 @@ into a valid problem. Format: ``scene.schema.json`` beside this file.
 
 from __future__ import annotations
 
+import dataclasses
 import gc
 import json
 import os
@@ -150,7 +151,14 @@ def _from_file(path: Path, options: ImportOptions) -> Scene:
 
 
 def _with_ends(scene: Scene, options: ImportOptions) -> Scene:
-    """Put start and goal of the options in place of the scene's own."""
+    """Put start and goal of the options in place of the scene's own; it leaves no other open."""
+    given = replace(options, start=None, goal=None)
+    for field in dataclasses.fields(given):
+        if getattr(given, field.name) != field.default:
+            name = "role" if field.name == "roles" else field.name
+            raise SceneError(
+                f"is a scene, and --{name} is for files in outside formats", source=scene.source
+            )
     return replace(
         scene,
         start=scene.start if options.start is None else options.start,

@@ -6,6 +6,7 @@ import argparse
 import math
 from pathlib import Path
 
+from planar_planner.command_arguments.shared import real_number
 from planar_planner.formats.parts import INWARDS, OUTWARDS, ImportOptions
 from planar_planner.formats.roles import ROLES
 
@@ -78,8 +79,8 @@ def import_options(arguments: argparse.Namespace) -> ImportOptions:
 
 def _configuration(text: str) -> list[float]:
     try:
-        values = [float(part) for part in text.split(",")]
-    except ValueError:
+        values = [real_number(part) for part in text.split(",")]
+    except argparse.ArgumentTypeError:
         values = []
     if len(values) != 3:
         raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,THETA, three numbers")
@@ -88,8 +89,8 @@ def _configuration(text: str) -> list[float]:
 
 def _length(text: str) -> float:
     try:
-        value = float(text)
-    except ValueError:
+        value = real_number(text)
+    except argparse.ArgumentTypeError:
         value = math.nan
     if not (0 < value < math.inf):
         raise argparse.ArgumentTypeError(f"{text!r} is not a positive length")

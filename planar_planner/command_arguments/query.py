@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
 from planar_planner.command_arguments.importing import add_importing
 from planar_planner.command_arguments.limits import add_limits
-from planar_planner.command_arguments.shared import add_json, add_scene
+from planar_planner.command_arguments.shared import add_json, add_scene, output_file
 
 
 def add_query(command: argparse.ArgumentParser) -> None:
@@ -18,7 +17,7 @@ def add_query(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--certificate",
         metavar="FILE",
-        type=Path,
+        type=output_file,
         help="write the evidence for the answer, compressed if the name ends in .gz; see verify",
     )
     command.add_argument(

@@ -66,28 +66,37 @@ def add_json(command: argparse.ArgumentParser, what: str) -> None:
 
 def whole_number(text: str) -> int:
     """Return the integer that a text states."""
-    try:
-        return int(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number") from None
+    if re.fullmatch(r"[+-]?[0-9]{1,4000}", text.strip()) is None:  # int also takes 1_000 and ٣
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number")
+    return int(text)
 
 
 def real_number(text: str) -> float:
     """Return the number that a text states; ``inf`` and ``nan`` are left to who uses it."""
     try:
-        return float(text)
+        value = float(text)
     except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
+        value = None
+    if value is None or "_" in text or not text.isascii():  # float also takes 1_000 and ٣
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number")
+    return value
 
 
 def byte_count(text: str) -> int:
     """Return the bytes that a text such as ``512M`` states."""
     match = re.fullmatch(
-        r"(\d{1,18}(?:\.\d{1,9})?)\s*([KMGT]?)(?:i?B)?", text.strip(), re.IGNORECASE
+        r"(\d{1,18}(?:\.\d{1,9})?)\s*([KMGT]?)(?:i?B)?", text.strip(), re.IGNORECASE | re.ASCII
     )
     if match is None:
         raise argparse.ArgumentTypeError(f"{text!r} is not a number of bytes such as 512M or 4G")
     return int(float(match[1]) * _UNITS[match[2].upper()])
+
+
+def output_file(text: str) -> Path:
+    """Return a file to write; only --json knows standard output."""
+    if text in ("", "-"):
+        raise argparse.ArgumentTypeError(f"{text!r} is no file to write")
+    return Path(text)
 
 
 def picture(text: str) -> Path:
