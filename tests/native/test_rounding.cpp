@@ -27,7 +27,7 @@ TEST(Rounding, OriginBeyondTheTipOfASliver) {
   scene.box = planner::Rectangle{{0.0, 0.0}, {1.0, 10.0}};
   scene.obstacles.append(rectangle({-0.5, 4.9}, {0.2, 5.1}));
   planner::Planner planner(scene);
-  EXPECT_EQ(planner.solve({0.93, 2.0, 0.0}, {0.93, 8.0, 0.0}, {}, {}).verdict,
+  EXPECT_EQ(planner.solve({0.93, 2.0, 0.0}, planner::Configuration{0.93, 8.0, 0.0}, {}, {}).verdict,
             planner::Verdict::kPath);
 }
 
