@@ -3,10 +3,9 @@
 import math
 from pathlib import Path
 
-from small_picture import save_small
-
 from planar_planner import Planner
 from planar_planner.pictures.views import draw_view
+from planar_planner.plot import save_picture
 
 PICTURES = Path(__file__).parent / "pictures"
 DPI = 80  # enough for a screen, small files
@@ -23,7 +22,7 @@ def main() -> None:
     for view, (name, thetas) in VIEWS.items():
         planner = Planner(name)
         figure = draw_view(planner, planner.solve(), view, thetas)
-        save_small(figure, PICTURES / f"view-{view}.png", DPI)
+        save_picture(figure, PICTURES / f"view-{view}.png", dpi=DPI)
 
 
 if __name__ == "__main__":

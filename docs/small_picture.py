@@ -7,7 +7,7 @@ from PIL import Image
 
 from planar_planner.plot import save_picture
 
-COLOURS = 96  # of flat shapes and their soft edges; a palette is a third of the bytes
+COLOURS = 240  # of flat shapes and their soft edges; a palette is a third of the bytes
 
 
 def save_small(figure: Figure, file: Path, dpi: float) -> None:

@@ -12,6 +12,9 @@ namespace planner {
 
 namespace {
 
+// Places of a way that may turn out to be free when sharpened.
+constexpr int kPlaces = 8;
+
 struct Neighbours {
   std::vector<std::size_t> first;  // of each leaf, and the end
   std::vector<CellId> ids;
@@ -108,7 +111,8 @@ Crossing find_bottleneck(const Problem& problem, const Subdivision& s,
   const auto full = [&](const CellId id) { return s.cell(id).label == Label::kFull; };
   std::vector<Reached> reached(s.size());  // of settled leaves
   std::vector<bool> settled(s.size()), wanted(s.size());
-  for (const CellId id : goal) wanted[id] = true;
+  // A goal in a FULL leaf is none that could be reached.
+  for (const CellId id : goal) wanted[id] = !full(id);
   std::priority_queue<Open> queue;
   for (const CellId id : start) queue.push({{}, id, true});
   while (!queue.empty()) {
@@ -139,8 +143,13 @@ Crossing find_bottleneck(const Problem& problem, const Subdivision& s,
   const auto end = std::find_if(goal.begin(), goal.end(), [&](CellId id) { return settled[id]; });
   if (end == goal.end()) return {};
   Crossing out = follow(reached, *end);
-  if (!out.way.empty()) sharpen(out, radius, depth_at);
-  return out;
+  if (out.way.empty()) return {};
+  for (int place = 0; place < kPlaces && out.depth[out.deepest] > 0.0; ++place) {
+    sharpen(out, radius, depth_at);
+    if (out.depth[out.deepest] > 0.0) return out;
+    out.deepest = deepest_of(out.depth);  // the way only cut a corner there
+  }
+  return {};
 }
 
 }  // namespace planner

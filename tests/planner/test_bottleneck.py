@@ -82,3 +82,13 @@ def test_it_is_the_same_every_time() -> None:
         assert found is not None
         ways.append(found.way.tobytes())
     assert ways[0] == ways[1]
+
+
+def test_a_goal_that_is_a_region_is_reached_through_the_wall() -> None:
+    """The cage's mouth lies between x = 7 and 8 and is narrower than the robot."""
+    planner = Planner("cage")
+    assert planner.solve().verdict == "no_path"
+    found = planner.bottleneck()
+    assert found is not None
+    assert found.depth > 0.0
+    assert np.linalg.norm(found.crossing[0, :2] - found.crossing[-1, :2]) > 0.0
