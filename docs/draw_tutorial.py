@@ -7,6 +7,8 @@ import re
 from pathlib import Path
 from typing import Any
 
+from small_picture import save_small
+
 HERE = Path(__file__).parent
 DPI = 90  # as in the gallery
 
@@ -20,9 +22,7 @@ def main() -> None:
         exec(block.replace(', "table.png"', ""), names)
         if "figure" in names:
             break
-    figure = names["figure"]
-    # No creation date: the same picture is the same file.
-    figure.savefig(HERE / "pictures" / "tutorial.png", dpi=DPI, metadata={"Software": None})
+    save_small(names["figure"], HERE / "pictures" / "tutorial.png", DPI)
 
 
 if __name__ == "__main__":

@@ -46,6 +46,7 @@ def page_of(folder: Path, text: str) -> Path:
         "```sh\nplanar-planner check gear-jammed # exits 0\n```",
         "```sh\nplanar-planner check no-such-scene\n```",
         "```sh\nmake everything\n```",
+        "```\nplanar-planner check gear\n```",
         "```console\n$ planar-planner check gear\nno path\n```",
         "```sh\nplanar-planner check gear | grep -q 'no path'\n```",
         "```klingon\nHeghlu'meH\n```",

@@ -26,7 +26,7 @@ from typing import Any
 from documents.fenced import Block
 from planar_planner.cli import main
 
-COMMANDS = ("planar-planner",)
+COMMANDS = ("planar-planner ",)
 NOT_RUN = {"", "bibtex", "cpp", "json", "text", "toml", "yaml"}
 _CHECKER = doctest.OutputChecker()
 _LENIENT = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
@@ -52,6 +52,7 @@ def run_page(blocks: list[Block], folder: Path) -> None:
             run_console(block, folder)
         else:
             assert block.language in NOT_RUN, f"{block.place}: language {block.language!r}"
+            assert not block.text.startswith(COMMANDS), f"{block.place}: mark it as sh"
 
 
 def run_python(block: Block, names: dict[str, Any]) -> None:
@@ -105,7 +106,7 @@ def run_line(block: Block, line: str, folder: Path) -> str:
     """Run a line, hold its exit status against the expected one, return what it printed."""
     words = shlex.split(line, comments=True)
     place = f"{block.place}: {line}"
-    assert words[0] in COMMANDS, f"{place}\nmark the block <!-- not run: why -->"
+    assert line.startswith(COMMANDS), f"{place}\nmark the block <!-- not run: why -->"
     command, _, comment = line.partition(" #")
     if _BEYOND_ONE_COMMAND.search(re.sub(r"'[^']*'", "", command)):
         status, printed = _in_bash(command, folder)
