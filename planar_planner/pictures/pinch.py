@@ -209,7 +209,7 @@ def _lens(problem: Problem, bottleneck: Bottleneck) -> Circle:
 def _draw_wall_in_space(
     figure: Figure, place: Any, problem: Problem, wall: Cells, bottleneck: Bottleneck
 ) -> list[Any]:
-    points = np.array(list(ends(problem).values()))
+    points = np.array([*ends(problem).values(), bottleneck.at])
     low = np.minimum(wall.lower.min(axis=0), points.min(axis=0))
     high = np.maximum(wall.upper.max(axis=0), points.max(axis=0))
     axes = space_axes(figure, place, low, high)
