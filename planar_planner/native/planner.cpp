@@ -324,7 +324,8 @@ Crossing Planner::bottleneck() {
   if (last_.verdict != Verdict::kNoPath) return {};
   if (last_.decided_by == "disc") return disc_inside_->bottleneck();
   if (last_.decided_by != "separation") return {};
-  return find_bottleneck(problem_, *subdivision_, leaves_of(last_.start), leaves_of_goal(last_.goal),
+  return find_bottleneck(problem_, *subdivision_, leaves_of(last_.start),
+                         leaves_of_goal(last_.goal),
                          [this](const Configuration& q) { return placement(q).depth; });
 }
 

@@ -207,8 +207,9 @@ void Refinement::lose_goal(GoalCells& goals, const CellId cell) {
 
 // Certifies the channel's path. False if it has to be refined first.
 bool Refinement::finish(const std::vector<CellId>& channel) {
-  if (goals_ && !pick_goal(channel.back())) {
-    lose_goal(*goals_, channel.back());
+  if (GoalCells* const goals = goals_ ? &*goals_ : nullptr;
+      goals != nullptr && !pick_goal(channel.back())) {
+    lose_goal(*goals, channel.back());
     return false;
   }
   const Stopwatch watch(statistics_.seconds.path);
