@@ -12,7 +12,7 @@ from planar_planner.limits import MAX_COORDINATE
 from planar_planner.margins.scaling import Scalings
 from planar_planner.margins.surroundings import Surroundings, placed, shape_of
 from planar_planner.placement import explanation
-from planar_planner.problem import Problem, point_goal
+from planar_planner.problem import Problem
 from planar_planner.problem import ends as both_ends
 
 
@@ -23,7 +23,8 @@ class Ends:
     Attributes
     ----------
     start, goal : float
-        Distances from what is nearest; 0 at an end that is in contact or collides.
+        Distances from what is nearest; 0 at an end that is in contact or collides. Infinite for a
+        goal that is a region: a larger robot may use another place in it.
     limit : float
         Proven: beyond this one of them is not free. Infinite if there is nothing to touch.
     binding : str
@@ -46,7 +47,7 @@ def ends_of(problem: Problem, core: Core, around: Surroundings) -> Ends:
     """
     found = {}
     shape = shape_of(problem.robot)
-    for name, q in (("start", problem.start), ("goal", point_goal(problem, "a margin"))):
+    for name, q in both_ends(problem).items():
         placement = core.placement(q)
         if placement["what"] == "reference_bounds":
             raise SceneError(explanation(placement, problem), name, str(list(q)), problem.source)
@@ -56,7 +57,7 @@ def ends_of(problem: Problem, core: Core, around: Surroundings) -> Ends:
     if not math.isfinite(found[binding]):
         return Ends(math.inf, math.inf, math.inf, "none")
     slack = max(around.rounding(problem.robot, q) for q in both_ends(problem).values())
-    return Ends(found["start"], found["goal"], found[binding] + slack, binding)
+    return Ends(found["start"], found.get("goal", math.inf), found[binding] + slack, binding)
 
 
 def scale_limit(problem: Problem, family: Scalings, ends: Ends, width: float) -> tuple[float, str]:

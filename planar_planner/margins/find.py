@@ -21,7 +21,7 @@ from planar_planner.margins.scaling import Centre, Scalings
 from planar_planner.margins.surroundings import Surroundings
 from planar_planner.options import Options
 from planar_planner.planner import SceneLike
-from planar_planner.problem import Problem, make_problem, point_goal
+from planar_planner.problem import Problem, make_problem
 from planar_planner.scene import Scene, load_scene
 
 DEFAULT_TOLERANCE = 1e-3
@@ -74,7 +74,6 @@ def margin(
     began = time.monotonic()
     loaded = scene if isinstance(scene, Scene) else load_scene(scene)
     problem = make_problem(loaded)
-    point_goal(problem, "a margin")
     width = _tolerance(problem, by, tolerance)
     around = Surroundings(problem)
     ends = ends_of(problem, make_core(problem), around)

@@ -141,7 +141,6 @@ def file_of(tmp_path: Path, goal: Any) -> str:
             "a comparison with samplers needs a configuration",
             marks=pytest.mark.skipif(find_spec("ompl") is None, reason="needs OMPL"),
         ),
-        (["margin"], "a margin needs a configuration"),
         (["convert", "{out}.svg"], "only scene files hold those"),
     ],
 )

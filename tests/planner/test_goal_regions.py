@@ -12,7 +12,7 @@ import shapely
 from goal_worlds import LIMITS, Scene, answer, cage, in_goal, moved, rectangle, shape, slot
 from random_scenes import plain, random_scene
 
-from planar_planner import Options, Planner, SceneError, solve
+from planar_planner import Options, Planner, SceneError, margin, solve
 
 BEYOND = rectangle(7, 2, 9, 8)
 TOLERANCES = [1e-2, 1e-4, 1e-7]
@@ -221,3 +221,13 @@ def test_answers_repeat() -> None:
     first, second = solve(copy.deepcopy(scene)), solve(scene)
     assert first.path.tobytes() == second.path.tobytes()
     assert first.stats["labelled_cells"] == second.stats["labelled_cells"]
+
+
+@pytest.mark.parametrize("gap", [1.9, 2.0])
+def test_margins_of_cages_are_what_the_mouth_lacks_or_spares(gap: float) -> None:
+    """Grown by d on every side the body is 2 d wider."""
+    found = margin(cage(gap, {"escape": rectangle(-2, -2, 10, 10)}))
+    spare = 0.5 * (gap - 2 * math.cos(math.pi / 16))
+    assert found.lower <= spare <= found.upper
+    assert found.upper - found.lower < 0.01
+    assert math.isinf(found.goal_clearance)
