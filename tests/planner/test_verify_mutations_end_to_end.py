@@ -29,6 +29,11 @@ SHIPPED = [
         "fence",
         "comb",
         "bug-trap",
+        "cage-open",
+        "disassembly",
+        "piano-anywhere",
+        "cage",
+        "disassembly-jammed",
     ),
 ]
 

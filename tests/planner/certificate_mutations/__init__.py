@@ -5,10 +5,10 @@ or None where it does not apply. "Signed" mutants carry the hash of the changed 
 the geometry that must give them away.
 """
 
-from certificate_mutations import any_certificate, discs_and_ends, joints, paths, separations
+from certificate_mutations import any_certificate, discs_and_ends, goals, joints, paths, separations
 from certificate_mutations.registry import MUTATIONS, Json, mutant
 
 # Importing them registers theirs.
-PARTS = (any_certificate, paths, separations, joints, discs_and_ends)
+PARTS = (any_certificate, paths, separations, joints, discs_and_ends, goals)
 
 __all__ = ["MUTATIONS", "PARTS", "Json", "mutant"]

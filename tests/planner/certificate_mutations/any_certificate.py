@@ -9,6 +9,7 @@ from certificate_mutations.registry import (
     Mutant,
     edges_apart,
     full_claims,
+    has_region,
     is_path,
     mutation,
     outer_rings,
@@ -28,6 +29,8 @@ def scene_changed_by_an_ulp(scene: Json, certificate: Json) -> Mutant:
 
 @mutation
 def goal_changed_by_an_ulp(scene: Json, certificate: Json) -> Mutant:
+    if has_region(scene):
+        return None
     scene["goal"][0] = math.nextafter(scene["goal"][0], math.inf)
     return scene, certificate
 

@@ -6,7 +6,15 @@ import math
 
 from hand_made_certificates import signed
 
-from certificate_mutations.registry import Json, Mutant, edges_apart, is_path, mutation, outer_rings
+from certificate_mutations.registry import (
+    Json,
+    Mutant,
+    edges_apart,
+    has_region,
+    is_path,
+    mutation,
+    outer_rings,
+)
 
 
 @mutation
@@ -51,7 +59,7 @@ def start_moved(scene: Json, certificate: Json) -> Mutant:
 
 @mutation
 def goal_moved(scene: Json, certificate: Json) -> Mutant:
-    if not is_path(certificate):
+    if not is_path(certificate) or has_region(scene):
         return None
     certificate["waypoints"][-1][1] -= 2.0**-20
     return scene, certificate
@@ -60,7 +68,7 @@ def goal_moved(scene: Json, certificate: Json) -> Mutant:
 @mutation
 def goal_turned(scene: Json, certificate: Json) -> Mutant:
     """Signed: the scene's goal has another theta."""
-    if not is_path(certificate) or scene.get("rotation") is False:
+    if not is_path(certificate) or has_region(scene) or scene.get("rotation") is False:
         return None
     scene["goal"][2] += 2.0**-20
     return scene, signed(scene, certificate)

@@ -55,6 +55,11 @@ def weighted_terms(certificate: Json) -> list[Any]:
     return [term for terms in weighted_sums(certificate) for term in terms]
 
 
+def has_region(scene: Json) -> bool:
+    """Whether any of a set of configurations is a goal."""
+    return not isinstance(scene["goal"], list)
+
+
 def is_path(certificate: Json) -> bool:
     return certificate["verdict"] == "path"
 

@@ -11,6 +11,7 @@ from certificate_mutations.registry import (
     Json,
     Mutant,
     full_claims,
+    has_region,
     mutation,
     outer_rings,
     separates,
@@ -248,7 +249,7 @@ def goal_in_the_start_side(scene: Json, certificate: Json) -> Mutant:
 @mutation
 def start_outside_its_side(scene: Json, certificate: Json) -> Mutant:
     """Signed: the start is the goal."""
-    if not separates(certificate):
+    if not separates(certificate) or has_region(scene):
         return None
     scene["start"] = scene["goal"]
     return scene, signed(scene, certificate)
