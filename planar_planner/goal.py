@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from planar_planner import fields
 from planar_planner.errors import SceneError, shown
 from planar_planner.fields import Box, Configuration
+from planar_planner.limits import MIN_COORDINATE
 from planar_planner.polygons import Polygons
 from planar_planner.raw_polygons import read_polygons
 from planar_planner.validity import Judge, clean_polygons
@@ -140,6 +141,9 @@ def _outside_all_obstacles(around: Surroundings) -> GoalRegion:
     reach = _reach(around.robot)
     low = np.nextafter(around.obstacles.coords.min(axis=0) - reach, -np.inf)
     high = np.nextafter(around.obstacles.coords.max(axis=0) + reach, np.inf)
+    # Outwards too: what is next to zero is no coordinate of exact arithmetic.
+    low = np.where(np.abs(low) < MIN_COORDINATE, -MIN_COORDINATE, low)
+    high = np.where(np.abs(high) < MIN_COORDINATE, MIN_COORDINATE, high)
     box = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
     rectangles = list(_bounding_boxes(around))
     beyond = [

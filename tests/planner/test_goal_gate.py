@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
-from goal_worlds import cage, rectangle, slot
+from goal_worlds import cage, rectangle, shape, slot
 from scene_gate import message, problem_of
 
 from planar_planner import Planner, SceneError, load_scene
@@ -19,6 +19,7 @@ from planar_planner.cli import main
 from planar_planner.goal import GoalRegion
 from planar_planner.plot import draw_scene
 from planar_planner.problem import Problem
+from planar_planner.verify import verify_certificate
 
 BEYOND = rectangle(7, 2, 9, 8)
 
@@ -65,6 +66,17 @@ def test_a_plain_escape_leaves_the_obstacles_and_the_robots_reach() -> None:
     assert (low < -1).all()
     assert (high > 9).all()
     np.testing.assert_allclose([low, high], [[-1, -1], [9, 9]], rtol=1e-15, atol=1e-14)
+
+
+@pytest.mark.parametrize(("low", "high"), [(1 + 2**-51, 3), (-3, -1 - 2**-51)])
+def test_an_escape_whose_box_ends_next_to_zero(low: float, high: float) -> None:
+    """The obstacle begins, or ends, where the robot reaches, rounded up by two units."""
+    robot = shape([[-0.5, -0.25], [0.5, -0.25], [1, 0], [0.5, 0.25], [-0.5, 0.25]])
+    obstacles = [rectangle(low, low, high, high)]
+    scene = cage(1.5, "escape") | {"robot": robot, "obstacles": obstacles, "start": [5, 5, 0]}
+    result = Planner(scene).solve(certificate=True)
+    assert result.certificate is not None
+    assert verify_certificate(scene, result.certificate).verdict == "path"
 
 
 @pytest.mark.parametrize(
