@@ -25,8 +25,11 @@ def test_both_ways_and_again(name: str) -> None:
     expected = listed()[name]["expected"]
     there = planner.solve()
     assert there.verdict == expected, there.reason
-    back = planner.solve(content["goal"], content["start"])
-    assert back.verdict == expected, back.reason
+    reversible = isinstance(content["goal"], list) or expected == "path"
+    if reversible:
+        goal = content["goal"] if isinstance(content["goal"], list) else there.path[-1]
+        back = planner.solve(goal, content["start"])
+        assert back.verdict == expected, back.reason
     labels = there.stats["cells_by_label"]
     assert sum(labels.values()) == there.stats["cells"] == sum(there.stats["cells_by_level"])
     assert there.stats["pairs_touched"] <= there.stats["pairs_total"]

@@ -136,7 +136,7 @@ def test_in_a_film_a_robot_in_collision_changes_colour(tmp_path: Path) -> None:
         shown = [coloured(image, 0)]
         where = found.depths.argmax() / (len(found.depths) - 1)
         shown.append(coloured(image, round(where * (image.n_frames - 1))))
-    assert shown[1] > 2 * shown[0]
+    assert shown[1] > 1.5 * shown[0]  # the goal and the legend have the colour, too
 
 
 def coloured(image: Image.Image, frame: int) -> int:
