@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,9 @@ from planar_planner.command_arguments.shared import (
 )
 
 SAVE_SUFFIXES = (".gif", ".mp4")
+
+PUSHES: Mapping[str, float] = {"seconds": 20.0, "tries": 4, "seed": 0}
+"""Defaults of the options that only pushing has."""
 
 
 def add(commands: Any) -> None:
@@ -53,17 +57,16 @@ def add(commands: Any) -> None:
     pushing.add_argument(
         "--push", action="store_true", help="no path: let random forces drive the robot"
     )
-    for name, metavar, kind, default, what in (
-        ("seconds", "SECONDS", real_number, 20.0, "simulated time of a try"),
-        ("tries", "N", whole_number, 4, "robots, one after the other"),
-        ("seed", "N", whole_number, 0, "of the pushes"),
+    for name, metavar, kind, what in (
+        ("seconds", "SECONDS", real_number, "simulated time of a try"),
+        ("tries", "N", whole_number, "robots, one after the other"),
+        ("seed", "N", whole_number, "of the pushes"),
     ):
         pushing.add_argument(
             f"--{name}",
             metavar=metavar,
             type=kind,
-            default=default,
-            help=f"{what} (default: %(default)s)",
+            help=f"{what} (default: {PUSHES[name]})",
         )
     add_limits(replay)
     replay.set_defaults(run=_run)

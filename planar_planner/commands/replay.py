@@ -7,6 +7,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from planar_planner.command_arguments.limits import options_of
+from planar_planner.command_arguments.replay import PUSHES
 from planar_planner.commands.scene_input import scene_of
 from planar_planner.errors import OptionsError
 from planar_planner.json_output import json_output
@@ -29,6 +30,11 @@ def run(arguments: argparse.Namespace) -> int:
         check_writable(arguments.save)
     if arguments.push and arguments.path is not None:
         raise OptionsError("--path is for a replay, --push drives without one")
+    for name, default in PUSHES.items():
+        if getattr(arguments, name) is None:
+            setattr(arguments, name, default)
+        elif not arguments.push:
+            raise OptionsError(f"--{name} is for --push")
     _check_extras(arguments)
     scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
     status, text, content = (_push if arguments.push else _replay)(arguments, scene)

@@ -103,6 +103,14 @@ def test_bad_usage(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert capsys.readouterr().err.count("\n") == 4
 
 
+@pytest.mark.parametrize("option", ["seconds", "tries", "seed"])
+def test_what_only_pushing_has_is_refused_without_it(
+    option: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["replay", "corner", f"--{option}", "1"]) == 2
+    assert capsys.readouterr() == ("", f"planar-planner: --{option} is for --push\n")
+
+
 def test_without_pymunk_one_line_names_the_extra(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
