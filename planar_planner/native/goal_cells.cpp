@@ -1,6 +1,19 @@
 #include "goal_cells.hpp"
 
+#include <algorithm>
+
 namespace planner {
+
+namespace {
+
+// Disappointments before small leaves are put aside for the first time; each time so many times as
+// many. Fewer: goals that are nearly found wait for others. Any values are sound.
+constexpr std::uint64_t kPatience = 256;
+constexpr std::uint64_t kPatienceGrowth = 2;
+// A leaf is small if it is so much smaller than the largest one that is wanted.
+constexpr float kSmall = 0.125F;
+
+}  // namespace
 
 std::vector<CellId> leaves_that_may_meet(const GoalRegion& region, const Subdivision& subdivision) {
   std::vector<CellId> out;
@@ -10,7 +23,11 @@ std::vector<CellId> leaves_that_may_meet(const GoalRegion& region, const Subdivi
 }
 
 GoalCells::GoalCells(const GoalRegion& region, const Subdivision& subdivision)
-    : region_(region), subdivision_(subdivision), wanted_(subdivision.size()) {
+    : region_(region),
+      subdivision_(subdivision),
+      wanted_(subdivision.size()),
+      aside_(subdivision.size()),
+      patience_(kPatience) {
   for (const CellId id : leaves_that_may_meet(region, subdivision)) wanted_[id] = true;
 }
 
@@ -20,10 +37,45 @@ bool GoalCells::may_hold(const CellId cell) const {
 
 // Only a leaf that may hold a goal has halves that may.
 void GoalCells::after_split(const CellId lower, const CellId upper) {
-  const bool whole = wanted_[lower];
+  const bool wanted = wanted_[lower];
+  const bool aside = aside_[lower];
   wanted_.resize(subdivision_.size());
-  wanted_[lower] = whole && may_hold(lower);
-  wanted_[upper] = whole && may_hold(upper);
+  aside_.resize(subdivision_.size());
+  for (const CellId half : {lower, upper}) {
+    wanted_[half] = wanted && may_hold(half);
+    aside_[half] = aside && may_hold(half);
+    put_aside_if_small(half);
+  }
+}
+
+void GoalCells::put_aside_if_small(const CellId cell) {
+  if (!wanted_[cell] || subdivision_.cell(cell).size >= least_) return;
+  wanted_[cell] = false;
+  aside_[cell] = true;
+}
+
+bool GoalCells::disappointed() {
+  if (++disappointments_ < patience_) return false;
+  disappointments_ = 0;
+  patience_ *= kPatienceGrowth;
+  float largest = 0.0F;
+  for (CellId id = 0; id < wanted_.size(); ++id)
+    if (wanted_[id]) largest = std::max(largest, subdivision_.cell(id).size);
+  least_ = std::max(least_, kSmall * largest);
+  due_ = 2 * subdivision_.size();
+  for (CellId id = 0; id < wanted_.size(); ++id) put_aside_if_small(id);
+  return true;
+}
+
+bool GoalCells::take_up() {
+  least_ = 0.0F;
+  bool any = false;
+  for (CellId id = 0; id < aside_.size(); ++id) {
+    if (!aside_[id]) continue;
+    aside_[id] = false;
+    wanted_[id] = any = true;
+  }
+  return any;
 }
 
 void GoalCells::give_up(const CellId cell) {
@@ -34,7 +86,7 @@ void GoalCells::give_up(const CellId cell) {
 std::vector<CellId> GoalCells::all() const {
   std::vector<CellId> out = given_up_;
   for (CellId id = 0; id < wanted_.size(); ++id)
-    if (wanted_[id]) out.push_back(id);
+    if (wanted_[id] || aside_[id]) out.push_back(id);
   return out;
 }
 

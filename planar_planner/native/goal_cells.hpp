@@ -1,6 +1,8 @@
 // The leaves that may hold a goal: all of them for proofs, those worth a look for the search.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "distance_tree.hpp"
@@ -21,9 +23,17 @@ class GoalCells {
   void after_split(CellId lower, CellId upper);
   // No goal can be found in a leaf that cannot be split any further. It may hold one all the same.
   void give_up(CellId cell);
+  // Where only contact leads to a region, smaller and smaller leaves seem to hold a goal: after
+  // some such disappointments those much smaller than the largest are put aside, so that others
+  // have their turn. True if the wanted ones are fewer now.
+  bool disappointed();
+  // They are wanted again: once there are twice as many leaves, or nothing else is left.
+  [[nodiscard]] bool due() const { return least_ > 0.0F && subdivision_.size() >= due_; }
+  // True if the wanted ones are more now.
+  bool take_up();
 
   [[nodiscard]] const GoalRegion& region() const { return region_; }
-  // Those not given up.
+  // Those neither given up nor put aside.
   [[nodiscard]] const Roots& wanted() const { return wanted_; }
   [[nodiscard]] std::vector<CellId> all() const;
   // Is any goal cell that was given up reached from this leaf, and none that is wanted?
@@ -31,11 +41,16 @@ class GoalCells {
 
  private:
   [[nodiscard]] bool may_hold(CellId cell) const;
+  void put_aside_if_small(CellId cell);
 
   const GoalRegion& region_;
   const Subdivision& subdivision_;
-  Roots wanted_;
+  Roots wanted_, aside_;
   std::vector<CellId> given_up_;
+  float least_ = 0.0F;  // smaller leaves are put aside; 0: none are
+  std::size_t due_ = 0;
+  std::uint64_t disappointments_ = 0;
+  std::uint64_t patience_;  // how many are borne
 };
 
 }  // namespace planner

@@ -65,6 +65,7 @@ void Refinement::run() {
   std::vector<CellId> channel;
   while (!stop()) {
     ++statistics_.search_rounds;
+    if (goals_ && goals_->due()) take_up_goals();
     bool connected = false;
     {
       const Stopwatch watch(statistics_.seconds.search);
@@ -75,6 +76,7 @@ void Refinement::run() {
       return query_.conclude(Verdict::kNoPath,
                              "cells and faces proven to lie in C-obstacle separate start from goal",
                              "separation");
+    if (!connected && take_up_goals()) continue;
     if (!connected && goals_ && goals_->only_given_up(search_.start()))
       return query_.conclude(Verdict::kUndecided, "resolution reached");
     if (!connected) {
@@ -88,6 +90,7 @@ void Refinement::run() {
       // Mended distances are not exact: only a search from scratch can say that every channel does.
       search_.rebuild();
       search_.find(channel);
+      if (search_.passes_barrier(channel) && take_up_goals()) continue;
       if (search_.passes_barrier(channel))
         return query_.conclude(Verdict::kUndecided, "resolution reached");
     }
@@ -200,9 +203,20 @@ bool Refinement::pick_goal(const CellId cell) {
 
 // The halves of a solid cell may tell whether it holds a free goal.
 void Refinement::lose_goal(GoalCells& goals, const CellId cell) {
-  if (subdivision_.divisible(cell, query_.limits.resolution)) return split(cell);
-  goals.give_up(cell);
-  search_.on_goal_lost(cell);
+  if (subdivision_.divisible(cell, query_.limits.resolution)) {
+    split(cell);
+  } else {
+    goals.give_up(cell);
+    search_.on_goal_lost(cell);
+  }
+  if (goals.disappointed()) search_.rebuild();
+}
+
+// True if there are more goals to search for now.
+bool Refinement::take_up_goals() {
+  if (!goals_ || !goals_->take_up()) return false;
+  search_.rebuild();
+  return true;
 }
 
 // Certifies the channel's path. False if it has to be refined first.

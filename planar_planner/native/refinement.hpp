@@ -30,6 +30,7 @@ class Refinement {
   [[nodiscard]] bool goal_connected() const;
   bool pick_goal(CellId cell);
   void lose_goal(GoalCells& goals, CellId cell);
+  bool take_up_goals();
   [[nodiscard]] bool solid(const std::vector<CellId>& channel) const;
   [[nodiscard]] std::vector<CellId> all_cells() const;
   bool split_mixed(const std::vector<CellId>& channel);

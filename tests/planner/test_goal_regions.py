@@ -231,3 +231,27 @@ def test_margins_of_cages_are_what_the_mouth_lacks_or_spares(gap: float) -> None
     assert found.lower <= spare <= found.upper
     assert found.upper - found.lower < 0.01
     assert math.isinf(found.goal_clearance)
+
+
+@pytest.mark.parametrize("angle", [0.3, 0.7])
+def test_contact_in_one_part_does_not_starve_another(angle: float) -> None:
+    """The near part is reached by contact only, at a slanted wall: no cell is ever small enough."""
+    c, s = math.cos(angle), math.sin(angle)
+
+    def turned(*points: tuple[float, float]) -> list[list[float]]:
+        return [[c * x - s * y, s * x + c * y] for x, y in points]
+
+    touched = turned((-1, 0), (4.5, 0), (4.5, 0.25), (-1, 0.25))
+    beyond = turned((7, 2), (9, 2), (9, 8), (7, 8))
+    scene = slot(0.6, {"region": {"type": "MultiPolygon", "coordinates": [[touched], [beyond]]}})
+    scene |= {
+        "workspace": shape(turned((0, 0), (10, 0), (10, 10), (0, 10))),
+        "obstacles": [
+            shape(turned((4.5, 0), (5.5, 0), (5.5, 4), (4.5, 4))),
+            shape(turned((4.5, 4.6), (5.5, 4.6), (5.5, 10), (4.5, 10))),
+        ],
+        "start": [*turned((2, 5))[0], angle],
+    }
+    assert answer(scene, Options(max_cells=10_000)).verdict == "path"
+    alone = scene | {"goal": {"region": shape(touched)}}
+    assert answer(alone, Options(max_cells=10_000)).verdict == "undecided"
