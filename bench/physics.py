@@ -26,6 +26,7 @@ from planar_planner.physics import push, replay
 from planar_planner.physics.contacts import reported, touched
 from planar_planner.physics.replay import outside, problem_of
 from planar_planner.physics.world import engine_name, make_world, rounding
+from planar_planner.problem import ends
 
 SECONDS, TRIES, SEED = 20.0, 4, 0
 PAIRS, PLACES = 400, 150
@@ -148,7 +149,8 @@ def placements() -> tuple[list[list[object]], list[str]]:
     for name in with_point_goals():
         problem = problem_of(name)
         core, world = make_core(problem), make_world(problem, dynamic=False)
-        corners = np.concatenate([problem.obstacles.coords, [problem.start[:2], problem.goal[:2]]])
+        at_ends = [q[:2] for q in ends(problem).values()]
+        corners = np.concatenate([problem.obstacles.coords, at_ends])
         low, high = corners.min(axis=0), corners.max(axis=0)
         free = differ = 0
         for _ in range(CONFIGURATIONS):
