@@ -111,7 +111,9 @@ TEST(GoalRegion, GuessesAreInTheRegion) {
     const Configuration from{102.0, -11.0, 30.0 * (part(random) - 0.5)};
     for (const Configuration& q : region.near(from)) ASSERT_TRUE(region.contains(q));
     const auto sampled = region.sample(part(random), part(random), part(random));
-    if (sampled) ASSERT_TRUE(region.contains(*sampled));
+    if (sampled) {
+      ASSERT_TRUE(region.contains(*sampled));
+    }
   }
   EXPECT_GT(found, 100);
 }
