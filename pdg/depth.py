@@ -57,7 +57,8 @@ def translational_depth(
     TranslationalDepth or TranslationalDepths
         For one pose or many. In plain doubles; the error is some ten roundings of the largest
         coordinate, over the sine of the angle at which the edges meet that stop A. Of bodies that
-        are not convex, gaps narrower than some 1e-14 of their extent may count as free or not.
+        are not convex, gaps narrower than 16 roundings (2**-53) of both bodies' radii and the
+        translation, added, may count as free or not.
 
     Raises
     ------

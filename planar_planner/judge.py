@@ -11,17 +11,13 @@ from numpy.typing import NDArray
 from planar_planner._core import StateCheck
 from planar_planner.core import make_core
 from planar_planner.problem import Problem, point_goal
+from planar_planner.tolerances import END_SLACK
 
 Soundness = Literal["sound", "collides", "unknown"]
 
 SAMPLES = 2000
 """Configurations looked at on each segment for a collision to show, once a path is not certified.
 They only tell ``collides`` from ``unknown``; no claim that a path is free rests on them."""
-
-
-END_SLACK = 1e-9
-"""How far a sampler's path may begin from the start, relative to the largest coordinate of both: a
-start on the bounds is rounded into them."""
 
 
 class Judge:

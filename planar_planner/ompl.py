@@ -44,6 +44,7 @@ from planar_planner.planner import Planner, SceneLike
 from planar_planner.problem import make_problem, point_goal
 from planar_planner.result import NoPath, PathFound, Result, Undecided
 from planar_planner.scene import Scene, load_scene
+from planar_planner.tolerances import SHORTEST_LIMIT
 
 __all__ = ["CompletePlanner", "Setup", "make_sampler", "set_up", "waypoints_of"]
 
@@ -52,10 +53,6 @@ LARGEST_TURN = math.pi / 2
 
 EXACT_THRESHOLD = sys.float_info.epsilon
 """OMPL's threshold of a goal that is a state and nothing round it."""
-
-SHORTEST_LIMIT = 1e-9
-"""Seconds. A limit must be positive, but time may run out between a look at the clock and the next;
-the core gives up at its first look then."""
 
 Status = base.PlannerStatus.PlannerStatusType
 

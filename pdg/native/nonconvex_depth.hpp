@@ -9,9 +9,9 @@ namespace pdg {
 // A at the pose, its vertices as placed in doubles. `state` is decided exactly for those. The other
 // fields are plain doubles: overlap: the least translation that leaves the interiors disjoint, over
 // the whole plane of translations, so that A may end in a hole or a notch of B; apart: minus the
-// distance of the bodies. Gaps narrower than some 1e-14 of the bodies' extent may be taken for free
-// or not (minkowski_slice.hpp). Throws std::invalid_argument for coordinates outside the range of
-// predicates.hpp.
+// distance of the bodies. Gaps narrower than half the slice's error bound, 16 u (A + B + T), may be
+// taken for free or not (minkowski_slice.hpp; kSliceErrorUnits). Throws std::invalid_argument for
+// coordinates outside the range of predicates.hpp.
 TranslationalDepth translational_depth(const PieceSet& a, const PieceSet& b, const Pose& pose);
 
 }  // namespace pdg

@@ -15,14 +15,11 @@ from typing import Any
 from planar_planner.errors import SceneError
 from planar_planner.fields import Box, Configuration
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point, Shape
+from planar_planner.tolerances import BOUNDS_SLACK
 
 FAR = 2.0**20
 """Coordinates this many times larger than the scene's extent are moved to the origin: the core's
 error bounds are relative to the largest coordinate, so a millionth of its resolution is lost."""
-
-BOUNDS_SLACK = 1.0 + 2.0**-20
-"""Factor on the robot's radius when the plane is given bounds; it covers the rounding of the radius
-and of the bounds, and anything above 1 keeps the proof in `unbounded`."""
 
 _CARRIES = {
     "path": "a path found holds for the curves too, 'no path' only for the outlines as flattened",

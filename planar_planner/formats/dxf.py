@@ -21,10 +21,7 @@ from planar_planner.formats.drawing import DEFAULT_TOLERANCE, Drawing, mark_of, 
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point
 from planar_planner.formats.reading import coordinate, require
 from planar_planner.formats.roles import role_of
-
-JOIN_REACH = 1e-6
-"""Of the drawing's larger extent: ends no farther apart than this are joined. CAD programs write
-ends of arcs as rounded centres and angles, so ends that meet in the drawing differ in the file."""
+from planar_planner.tolerances import JOIN_REACH
 
 _MAX_DEPTH = 16  # of blocks in blocks
 _MAX_ENTITIES = 10**6

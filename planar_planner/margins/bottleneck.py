@@ -16,6 +16,7 @@ import numpy as np
 from planar_planner.margins.body import Floats
 from planar_planner.margins.surroundings import Contact, Surroundings, placed, shape_of
 from planar_planner.problem import Polygons, Problem
+from planar_planner.tolerances import LAST_STEP
 
 SAMPLES = 200
 """Configurations of the path that are climbed from, at most."""
@@ -24,8 +25,7 @@ DIRECTIONS = 8
 """Tried at each step of a climb; turned between steps, so that narrow ridges are found."""
 
 FIRST_STEP = 0.05
-LAST_STEP = 1e-5
-"""Of a climb, relative to the robot's reach."""
+"""Of a climb, relative to the robot's reach; `LAST_STEP` ends it."""
 
 MOST_STEPS = 100
 """Of a climb: five reaches up, which ends a climb into the open."""

@@ -20,10 +20,7 @@ from numpy.typing import NDArray
 from planar_planner.fields import Configuration
 from planar_planner.physics.report import Contact
 from planar_planner.physics.world import World
-
-ASIDE = 2.0**-30
-"""How far aside Chipmunk is asked again, in lengths of a space, where the robot's reach is 1/2 to
-1: far above rounding, far below what matters to a drive."""
+from planar_planner.tolerances import ASIDE
 
 ASKED_ASIDE = 8
 """Times, if the first two answers disagree. Of all nine the median counts: four may be wrong."""

@@ -10,11 +10,11 @@ import numpy as np
 
 from planar_planner.fields import Box, Configuration
 from planar_planner.motion import reach
-from planar_planner.physics.contacts import ASIDE
 from planar_planner.physics.goals import nearest_goal
 from planar_planner.physics.shapes import slabs
 from planar_planner.physics.world import World, engine
 from planar_planner.problem import Problem
+from planar_planner.tolerances import ASIDE
 
 if TYPE_CHECKING:
     import pymunk

@@ -20,21 +20,12 @@ from planar_planner.physics.shapes import (
     scale_of,
 )
 from planar_planner.problem import Problem
+from planar_planner.tolerances import CHIPMUNK_ROUNDINGS
 
 if TYPE_CHECKING:
     from types import ModuleType
 
     import pymunk
-
-ROUNDINGS = 32
-"""Units of roundoff, of the largest coordinate, by which a depth of Chipmunk may be wrong.
-
-Chipmunk computes in doubles (cpFloat), and shapes have no radius. A configuration between waypoints
-rounds by 3; placing a vertex by 7 (cosine and sine, two products, two sums); of the robot and of
-the obstacle that makes 13; their difference and its product with a unit normal that is itself
-rounded by 3 add 8. The rest is for the angle, whose rounding counts by the reach. Measured on 4000
-random pairs near contact: at most 3. It leaves out how ill-conditioned the normal of a very short
-edge is, so it is an estimate of Chipmunk's accuracy and no bound."""
 
 
 CELLS_ACROSS = 256
@@ -135,7 +126,7 @@ def rounding(problem: Problem, configurations: NDArray[np.float64]) -> float:
         radius + float(np.abs(configurations[:, :2]).max()),
         radius * float(np.abs(configurations[:, 2]).max()),
     )
-    return ROUNDINGS * (sys.float_info.epsilon / 2.0) * largest
+    return CHIPMUNK_ROUNDINGS * (sys.float_info.epsilon / 2.0) * largest
 
 
 def _cells(shapes: list[Shape]) -> tuple[float, int]:

@@ -11,11 +11,12 @@ import pytest
 
 from planar_planner import OptionsError, solve
 from planar_planner.physics import push, replay
-from planar_planner.physics.contacts import ASIDE, find_contacts
+from planar_planner.physics.contacts import find_contacts
 from planar_planner.physics.driver import Driver
 from planar_planner.physics.goals import nearest_goal
 from planar_planner.physics.replay import problem_of
 from planar_planner.physics.world import make_world
+from planar_planner.tolerances import ASIDE
 
 
 def box(x0: float, y0: float, x1: float, y1: float) -> dict[str, Any]:
