@@ -134,7 +134,7 @@ std::vector<Seen> walk_search(World& world, const Task& task, const WalkLimits& 
   planner::SegmentTest segments(world.problem, world.labeller, world.statistics);
   Subdivision subdivision(world.space, world.labeller, world.statistics);
   planner::FaceTest faces(subdivision, world.labeller, world.statistics);
-  planner::Query query(task.start, task.goal, query_limits, nobody);
+  planner::Query query(task.start, task.goal, nullptr, query_limits, nobody);
   planner::Refinement(world.problem, world.tree, subdivision, faces, segments, world.statistics,
                       query)
       .run();

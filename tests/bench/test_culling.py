@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-# Building takes a minute: not in every run of the tests.
+# Building takes a minute: not in every run of the tests, but in every one of .ci/run.
 needs_build = pytest.mark.skipif(
     "PLANNER_BENCH_BUILD" not in os.environ, reason="PLANNER_BENCH_BUILD names no build folder"
 )
