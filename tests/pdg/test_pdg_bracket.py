@@ -214,6 +214,6 @@ def test_bad_arguments_are_refused() -> None:
     with pytest.raises(pdg.PdgError, match="time_limit"):
         pdg.bracket(box, box, time_limit=math.nan)
     with pytest.raises(pdg.PdgError, match="node_limit: expected a whole number"):
-        pdg.bracket(box, box, node_limit=1.5)  # type: ignore[arg-type]
+        pdg.bracket(box, box, node_limit=1.5)
     with pytest.raises(pdg.PdgError, match=r"pose\[2\]"):
         pdg.bracket(box, box, (0, 0, math.inf))

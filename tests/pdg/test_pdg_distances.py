@@ -22,7 +22,7 @@ def random_pair(random: np.random.Generator) -> tuple[Pose, Pose]:
     turn = random.choice([0.0, 1e-9, 1e-4, 0.1, 1.0, 2.0, math.pi]) * random.choice([-1, 1])
     q0 = (*random.uniform(-5, 5, 2), random.uniform(-7, 7))
     q1 = (*(np.array(q0[:2]) + random.uniform(-reach, reach, 2)), q0[2] + turn)
-    return tuple(map(float, q0)), tuple(map(float, q1))  # type: ignore[return-value]
+    return tuple(map(float, q0)), tuple(map(float, q1))
 
 
 def short_turn(q0: Pose, q1: Pose) -> float:

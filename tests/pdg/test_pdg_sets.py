@@ -166,7 +166,7 @@ def test_a_python_object_that_lies_or_breaks_is_reported() -> None:
 )
 def test_wrong_arguments_are_named(make: object, message: str) -> None:
     with pytest.raises(pdg.PdgError, match=message):
-        make()  # type: ignore[operator]
+        make()
 
 
 def test_a_sum_within_a_sum_rounds_at_its_own_magnitude() -> None:

@@ -323,7 +323,7 @@ def test_far_from_the_origin() -> None:
 def test_bad_arguments_are_refused() -> None:
     square = shapely.box(-1, -1, 1, 1)
     with pytest.raises(pdg.PdgError, match="method: expected") as caught:
-        pdg.generalized_depth_upper_bound(square, square, method="hull")  # type: ignore[call-overload]
+        pdg.generalized_depth_upper_bound(square, square, method="hull")
     assert (caught.value.name, caught.value.value) == ("method", "hull")
     with pytest.raises(pdg.PdgError, match=r"pose\[1\]: must be finite"):
         pdg.generalized_depth_upper_bound(square, square, (0, math.inf, 0))

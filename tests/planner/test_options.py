@@ -41,7 +41,7 @@ def test_the_native_defaults_are_the_same() -> None:
 
 def test_frozen() -> None:
     with pytest.raises(dataclasses.FrozenInstanceError):
-        Options().timeout = 1.0  # type: ignore[misc]  # that is the test
+        Options().timeout = 1.0
 
 
 @pytest.mark.parametrize(

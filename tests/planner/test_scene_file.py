@@ -193,4 +193,4 @@ def test_message_stays_on_one_line(tmp_path: Path, scene_dict: dict[str, Any]) -
 
 def test_wrong_kind_of_argument() -> None:
     with pytest.raises(TypeError, match="name, a path or a mapping"):
-        load_scene(3)  # type: ignore[arg-type]  # that is the test
+        load_scene(3)

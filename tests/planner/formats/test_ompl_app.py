@@ -259,4 +259,4 @@ def test_ends_may_come_from_the_command_line(tmp_path: Path) -> None:
 def _options(**given: list[float]) -> object:
     from planar_planner.formats.parts import ImportOptions
 
-    return ImportOptions(**given)  # type: ignore[arg-type]
+    return ImportOptions(**given)

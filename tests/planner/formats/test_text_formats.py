@@ -129,7 +129,7 @@ def test_touching_rings_are_repaired_and_told(tmp_path: Path) -> None:
         ('{"type": "FeatureCollection"}', "features: must be a list"),
         ('{"type": "FeatureCollection", "features": [3]}', "features[0]: must be a JSON object"),
         (collection(feature("robt", BODY)), "did you mean 'robot'"),
-        (collection(feature(3, BODY)), "properties.role"),  # type: ignore[arg-type]
+        (collection(feature(3, BODY)), "properties.role"),
         (collection(feature("start", BODY)), "must be Points"),
         (collection(feature(None, {"type": "LineString", "coordinates": []})), "geometry.type"),
         (collection(feature(None, polygon([[0, 0], [1, "x"], [1, 1]]))), "coordinates[0][1][1]"),
