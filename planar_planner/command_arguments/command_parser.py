@@ -103,7 +103,9 @@ def _did_you_mean(name: str, known: Iterable[str]) -> str:
     """Return ``; did you mean x?`` for the closest known names, else nothing."""
     import difflib
 
-    close = difflib.get_close_matches(cut(name), list(known), n=3)
+    bare = {other.lstrip("-"): other for other in known}  # dashes would make any two options alike
+    near = difflib.get_close_matches(cut(name).lstrip("-"), bare, n=3)
+    close = [bare[other] for other in near]
     return "; did you mean " + " or ".join(close) + "?" if close else ""
 
 
