@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import argparse
 import re
-from pathlib import Path
 from typing import Any
 
 from planar_planner.command_arguments.importing import add_importing
 from planar_planner.command_arguments.limits import add_limits
 from planar_planner.command_arguments.shared import (
+    FILM_SUFFIXES,
     VERDICTS,
     add_command,
     add_json,
     add_scene,
+    file_of,
     real_number,
 )
 
-ANIMATION_SUFFIXES = (".gif", ".mp4", ".html")
+ANIMATION_SUFFIXES = (*FILM_SUFFIXES, ".html")
 
 
 def add(commands: Any) -> None:
@@ -38,7 +39,7 @@ def add(commands: Any) -> None:
     animate.add_argument(
         "out",
         metavar="OUT",
-        type=_animation,
+        type=file_of(ANIMATION_SUFFIXES),
         help=f"file to write: {', '.join(ANIMATION_SUFFIXES)}",
     )
     add_importing(animate)
@@ -79,15 +80,6 @@ def add(commands: Any) -> None:
     )
     add_limits(animate)
     animate.set_defaults(run=_run)
-
-
-def _animation(text: str) -> Path:
-    file = Path(text)
-    if file.suffix.lower() not in ANIMATION_SUFFIXES:
-        raise argparse.ArgumentTypeError(
-            f"cannot tell the format of {text!r}; it must end in {', '.join(ANIMATION_SUFFIXES)}"
-        )
-    return file
 
 
 def _size(text: str) -> tuple[int, int]:

@@ -10,14 +10,14 @@ from typing import Any
 from planar_planner.command_arguments.importing import add_importing
 from planar_planner.command_arguments.limits import add_limits
 from planar_planner.command_arguments.shared import (
+    FILM_SUFFIXES,
     add_command,
     add_json,
     add_scene,
+    file_of,
     real_number,
     whole_number,
 )
-
-SAVE_SUFFIXES = (".gif", ".mp4")
 
 PUSHES: Mapping[str, float] = {"seconds": 20.0, "tries": 4, "seed": 0}
 """Defaults of the options that only pushing has."""
@@ -49,7 +49,10 @@ def add(commands: Any) -> None:
         help="most travel between two looks (default: 1/256 of the robot's reach)",
     )
     replay.add_argument(
-        "--save", metavar="FILE", type=_film, help=f"write a film: {', '.join(SAVE_SUFFIXES)}"
+        "--save",
+        metavar="FILE",
+        type=file_of(FILM_SUFFIXES),
+        help=f"write a film: {', '.join(FILM_SUFFIXES)}",
     )
     add_json(replay, "the finding")
     replay.add_argument("--quiet", action="store_true", help="no numbers, only the finding")
@@ -70,15 +73,6 @@ def add(commands: Any) -> None:
         )
     add_limits(replay)
     replay.set_defaults(run=_run)
-
-
-def _film(text: str) -> Path:
-    file = Path(text)
-    if file.suffix.lower() not in SAVE_SUFFIXES:
-        raise argparse.ArgumentTypeError(
-            f"cannot tell the format of {text!r}; it must end in {', '.join(SAVE_SUFFIXES)}"
-        )
-    return file
 
 
 def _run(arguments: argparse.Namespace) -> int:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import argparse
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
 from planar_planner.command_arguments.command_parser import CommandParser
 
 PLOT_SUFFIXES = (".png", ".svg", ".pdf")
+FILM_SUFFIXES = (".gif", ".mp4")
 
 DONE = "0 done, 2 bad input or usage"
 VERDICTS = "0 path, 1 no path (proven), 2 bad input or usage, 3 undecided"
@@ -53,7 +54,10 @@ def add_scene(command: argparse.ArgumentParser) -> None:
 def add_plot(command: argparse.ArgumentParser, what: str) -> None:
     """Add a picture to write; `what` says what it shows."""
     command.add_argument(
-        "--plot", metavar="FILE", type=picture, help=f"{what}: {', '.join(PLOT_SUFFIXES)}"
+        "--plot",
+        metavar="FILE",
+        type=file_of(PLOT_SUFFIXES),
+        help=f"{what}: {', '.join(PLOT_SUFFIXES)}",
     )
 
 
@@ -99,11 +103,15 @@ def output_file(text: str) -> Path:
     return Path(text)
 
 
-def picture(text: str) -> Path:
-    """Return the file of a picture, whose suffix states a format that matplotlib can write."""
-    file = Path(text)
-    if file.suffix.lower() not in PLOT_SUFFIXES:
-        raise argparse.ArgumentTypeError(
-            f"cannot tell the format of {text!r}; it must end in {', '.join(PLOT_SUFFIXES)}"
-        )
+def file_of(suffixes: Sequence[str]) -> Callable[[str], Path]:
+    """Return what takes the name of a file to write, whose suffix must state one of the formats."""
+
+    def file(text: str) -> Path:
+        path = Path(text)
+        if path.suffix.lower() not in suffixes:
+            raise argparse.ArgumentTypeError(
+                f"cannot tell the format of {text!r}; it must end in {', '.join(suffixes)}"
+            )
+        return path
+
     return file

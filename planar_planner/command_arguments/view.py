@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import math
 
+from planar_planner.command_arguments.shared import real_number
 from planar_planner.errors import OptionsError
 
 VIEWS = ("path", "filmstrip", "slices", "space", "wall")
@@ -32,8 +33,8 @@ def angles(text: str) -> list[float]:
     for part in text.split(","):
         number, degrees = part.strip().removesuffix("deg"), part.strip().endswith("deg")
         try:
-            value = float(number)
-        except ValueError:
+            value = real_number(number)
+        except argparse.ArgumentTypeError:
             raise argparse.ArgumentTypeError(f"{part!r} is not an angle") from None
         if not math.isfinite(value):
             raise argparse.ArgumentTypeError(f"{part!r} is not finite")

@@ -47,7 +47,7 @@ def test_angles_imply_slices_and_may_be_negative(tmp_path: Path) -> None:
 
 def test_angles_are_radians_or_degrees() -> None:
     assert angles("0,1.5,90deg, -45deg") == [0.0, 1.5, math.pi / 2, -math.pi / 4]
-    for text in ("", "x", "1,,2", "inf", "nandeg"):
+    for text in ("", "x", "1,,2", "1_0", "inf", "nandeg"):
         with pytest.raises(argparse.ArgumentTypeError):
             angles(text)
 
