@@ -36,11 +36,13 @@ struct Motion {
 };
 
 // The robot's pieces turned to the centre of a motion: vertices and normals of all pieces, one
-// after another. piece i owns [first[i], first[i + 1]).
+// after another. piece i owns [first[i], first[i + 1]). A piece is turned when it is first asked
+// for: most never come near an obstacle.
 struct PosedRobot {
   Rotation rotation;
-  std::vector<Vec2> vertices;
-  std::vector<Vec2> normals;
+  mutable std::vector<Vec2> vertices;
+  mutable std::vector<Vec2> normals;
+  mutable std::vector<char> turned;  // by piece
 };
 
 }  // namespace pdg

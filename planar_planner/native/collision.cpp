@@ -20,12 +20,11 @@ double CollisionHint::gap(const Pose& pose) {
   ++calls_;
   t_ = pose.t;
   rotation_ = rotation_at(pose.theta);
+  if (gap_to_domain() < 0.0 || hits_last_piece()) return kCollides;
   place_hull();
-  double least = gap_to_bounds();
+  double least = std::min(gap_to_domain(), gap_to_walls());
   if (least < 0.0) return kCollides;
   if (tree_.empty()) return least;
-  if (last_hit_ != kNoPiece && gap_to_box(tree_.node(last_hit_)) <= 0.0 && hits_node(last_hit_))
-    return kCollides;
   open_.assign(1, tree_.root());
   while (!open_.empty()) {
     const std::uint32_t index = open_.back();
@@ -38,7 +37,7 @@ double CollisionHint::gap(const Pose& pose) {
     if (const std::uint32_t left = tree_.node(index).left; left != 0) {
       open_.push_back(left + 1);
       open_.push_back(left);
-    } else if (index != last_hit_ && hits_node(index)) {
+    } else if ((index != last_hit_ || tree_.node(index).piece == kNoPiece) && hits_node(index)) {
       last_hit_ = index;
       return kCollides;
     }
@@ -116,18 +115,28 @@ void CollisionHint::place_hull() {
   high_ = high_ + t_;
 }
 
-// Of the robot to the walls, and of the reference point to the edge of its domain.
-double CollisionHint::gap_to_bounds() const {
+// Of the reference point to the edge of its domain.
+double CollisionHint::gap_to_domain() const {
   const Domain& d = problem_.domain;
   const Vec2 place = t_ - d.low;
-  double least =
-      std::min(std::min(place.x, d.size.x - place.x), std::min(place.y, d.size.y - place.y));
+  return std::min(std::min(place.x, d.size.x - place.x), std::min(place.y, d.size.y - place.y));
+}
+
+double CollisionHint::gap_to_walls() const {
+  double least = INFINITY;
   for (const pdg::ConvexPiece& wall : problem_.walls) {  // the half-plane behind its normal
     const Vec2 n = wall.edges[0].normal;
     const Vec2 nearest{n.x > 0.0 ? low_.x : high_.x, n.y > 0.0 ? low_.y : high_.y};
     least = std::min(least, dot(n, nearest) - wall.edges[0].offset);
   }
   return least;
+}
+
+// What blocked the last configuration often blocks this one, and asking it first spares the rest.
+bool CollisionHint::hits_last_piece() {
+  if (last_hit_ == kNoPiece) return false;
+  const std::uint32_t piece = tree_.node(last_hit_).piece;
+  return piece != kNoPiece && hits_piece(tree_.piece(piece));
 }
 
 bool CollisionHint::hits_piece(const pdg::ConvexPiece& obstacle) {
@@ -138,6 +147,9 @@ bool CollisionHint::hits_piece(const pdg::ConvexPiece& obstacle) {
     const Vec2 apart = t_ + pdg::rotate(rotation_, a.centre) - obstacle.centre;
     const double reach = a.radius + obstacle.radius;
     if (dot(apart, apart) >= reach * reach) continue;
+    const Vec2 apart_inside = t_ + pdg::rotate(rotation_, a.inner_centre) - obstacle.inner_centre;
+    const double inner_reach = a.inner_radius + obstacle.inner_radius;
+    if (dot(apart_inside, apart_inside) < inner_reach * inner_reach) return true;
     turn(i);
     if (!separated(i, obstacle)) return true;
   }

@@ -35,8 +35,10 @@ class CollisionHint {
   [[nodiscard]] std::uint64_t work() const { return work_; }
 
  private:
-  [[nodiscard]] double gap_to_bounds() const;
+  [[nodiscard]] double gap_to_domain() const;
+  [[nodiscard]] double gap_to_walls() const;
   void place_hull();
+  bool hits_last_piece();
   bool hits_node(std::uint32_t node);
   bool hits_piece(const pdg::ConvexPiece& obstacle);
   bool hits_outline(std::uint32_t polygon);

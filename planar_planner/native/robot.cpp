@@ -68,13 +68,17 @@ void pose(const Robot& robot, const pdg::Rotation rotation, pdg::PosedRobot& out
   out.rotation = rotation;
   out.vertices.resize(robot.vertex_total);
   out.normals.resize(robot.vertex_total);
-  std::size_t i = 0;
-  for (const pdg::ConvexPiece& piece : robot.pieces)
-    for (const pdg::Edge& edge : piece.edges) {
-      out.vertices[i] = pdg::rotate(rotation, edge.vertex);
-      out.normals[i] = pdg::rotate(rotation, edge.normal);
-      ++i;
-    }
+  out.turned.assign(robot.pieces.size(), 0);
+}
+
+void turn_piece(const Robot& robot, const pdg::PosedRobot& posed, const std::size_t piece) {
+  posed.turned[piece] = 1;
+  std::size_t i = robot.first_vertex[piece];
+  for (const pdg::Edge& edge : robot.pieces[piece].edges) {
+    posed.vertices[i] = pdg::rotate(posed.rotation, edge.vertex);
+    posed.normals[i] = pdg::rotate(posed.rotation, edge.normal);
+    ++i;
+  }
 }
 
 }  // namespace planner

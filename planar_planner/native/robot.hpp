@@ -31,8 +31,11 @@ Robot make_robot(const PolygonSet& polygons, int exponent, bool partition = true
 
 void pose(const Robot& robot, pdg::Rotation rotation, pdg::PosedRobot& out);
 
+void turn_piece(const Robot& robot, const pdg::PosedRobot& posed, std::size_t piece);
+
 inline pdg::PosedPiece posed_piece(const Robot& robot, const pdg::PosedRobot& posed,
                                    const std::size_t piece) {
+  if (posed.turned[piece] == 0) turn_piece(robot, posed, piece);
   const std::size_t first = robot.first_vertex[piece];
   const std::size_t count = robot.first_vertex[piece + 1] - first;
   return {&robot.pieces[piece],
