@@ -103,7 +103,7 @@ Link FaceTest::label_face(const Extent& face, const ConstraintView& parent, cons
   if (const auto guard = star_.find_guard(motion, posed, view(list)))
     return {LinkState::kOpen, {*guard, turns}};
   if (labeller_.parts().joint && joint_.obstructs(motion, posed, view(list))) {
-    blocked_.push_back({face, kNoAxis, true, {}, joint_.proof()});
+    blocked_.push_back({face, kNoAxis, true, {}, joint_.proof(view(list))});
     return {LinkState::kBlocked, {}};
   }
   const Axis axis = widest_axis(motion, result.turning_radius, face);

@@ -19,6 +19,7 @@
 #include "obstacle_tree.hpp"
 #include "pdg/native/motion.hpp"
 #include "robot.hpp"
+#include "weights.hpp"
 
 namespace planner {
 
@@ -29,10 +30,16 @@ class JointTest {
   // True: proven, in exact arithmetic, that no configuration of the motion is free. `list` is the
   // motion's own undecided list.
   bool obstructs(const pdg::Motion& motion, const pdg::PosedRobot& posed,
-                 const ConstraintView& list);
+                 const ConstraintView& list) {
+    look_at(motion, posed, list);
+    return obstructs(motion);
+  }
+  // The same of parts of the motion that was looked at last, with the same centre.
+  bool obstructs(const pdg::Motion& part);
+  void look_at(const pdg::Motion& motion, const pdg::PosedRobot& posed, const ConstraintView& list);
 
-  // What is behind the last `true`.
-  [[nodiscard]] const JointProof& proof() const { return proof_; }
+  // What is behind the last `true`, which was about this list.
+  [[nodiscard]] JointProof proof(const ConstraintView& list) const;
 
  private:
   // s_k = value + normal . e + v cos(delta) + w sin(delta), up to +- bend, over the cell's
@@ -45,35 +52,40 @@ class JointTest {
     double error;
     JointTerm source;
   };
-  static constexpr int kRows = 4;  // x, y, delta, and the weights' sum
-  using Column = std::array<double, kRows>;
-
-  // A pair of the list, and where its constraints begin.
+  // A pair of the list, where its constraints begin, and how many they are.
   struct Place {
     std::size_t pair;
     std::size_t first;
+    std::size_t choices = 0;
+  };
+  struct TermRange {
+    std::size_t begin;
+    std::size_t end;
   };
 
-  void collect(const pdg::Motion& motion, const pdg::PosedRobot& posed, const ConstraintView& list);
   void add_terms(const pdg::Motion& motion, const pdg::PosedRobot& posed, const PairHeader& pair,
                  const pdg::Constraint& constraint);
   void add_term(const pdg::Motion& motion, const pdg::PosedPiece& a, const pdg::ConvexPiece& b,
                 const JointTerm& source, double error);
-  bool refute_cases(const pdg::Motion& motion, const pdg::PosedRobot& posed,
-                    const ConstraintView& list);
+  void choose_branches(const ConstraintView& list);
+  void weigh(const pdg::Motion& motion, TermRange range);
   bool refute(const pdg::Motion& motion);
-  bool find_weights(const pdg::Motion& motion, bool with_bends);
-  void note_sum();
-  [[nodiscard]] bool proves(const pdg::Motion& motion) const;
+  bool proves(const pdg::Motion& motion, const WeightProgram::Weights& weights);
+  void note_sum(const WeightProgram::Weights& weights);
 
   const Robot& robot_;
   const ObstacleTree& tree_;
+  // Terms of the pairs with one active axis, then those of the choices.
   std::vector<Term> terms_;
-  std::vector<Place> several_;  // pairs with several active axes
-  JointProof proof_;
-  std::vector<Column> columns_;
-  std::vector<double> costs_;
-  std::vector<double> weights_;
+  std::size_t fixed_ = 0;
+  std::vector<Place> several_;     // the pairs with a choice
+  std::vector<TermRange> ranges_;  // of their axes, one after another
+  std::size_t cases_ = 0;
+  std::vector<std::size_t> weighed_;  // terms in the programme
+  WeightProgram program_;             // the terms, without second-order terms of turning edges
+  WeightProgram bent_;                // with all of them
+  std::vector<JointTerm> noted_;      // the weighted terms of all sums that prove
+  std::vector<std::size_t> ends_;     // of each sum
 };
 
 }  // namespace planner

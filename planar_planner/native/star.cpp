@@ -78,6 +78,8 @@ bool is_free(const Robot& robot, const ObstacleTree& tree, const PosedRobot& pos
 
 std::optional<Vec2> StarTest::find_guard(const Motion& motion, const PosedRobot& posed,
                                          const ConstraintView& list) {
+  // What is closed may be anywhere.
+  if (std::any_of(list.pairs.begin(), list.pairs.end(), closed)) return std::nullopt;
   start_polygon(motion);
   if (!collect(motion, posed, list)) return std::nullopt;
   Vec2 guard;
@@ -97,7 +99,6 @@ void StarTest::start_polygon(const Motion& m) {
 bool StarTest::collect(const Motion& motion, const PosedRobot& posed, const ConstraintView& list) {
   std::size_t at = 0;
   for (const PairHeader& header : list.pairs) {
-    if (closed(header)) return false;
     const PosedPiece a = posed_piece(robot_, posed, header.robot);
     const ConvexPiece& b = tree_.piece(header.obstacle);
     const double error = pdg::kGuardErrorFactor * pdg::separation_error(*a.piece, b, motion);
@@ -163,14 +164,25 @@ void StarTest::robot_edge(const Motion& m, const PosedPiece& a, const ConvexPiec
 // most a guard, never soundness.
 bool StarTest::add(const HalfPlane plane) {
   planes_.push_back(plane);
+  heights_.clear();
+  bool any_inside = false;
+  bool all_inside = true;
+  for (const Vec2 p : polygon_) {
+    heights_.push_back(dot(plane.normal, p) - plane.offset);
+    const bool inside = heights_.back() > 0.0;
+    any_inside = any_inside || inside;
+    all_inside = all_inside && inside;
+  }
+  if (!any_inside) polygon_.clear();
+  if (!any_inside || all_inside) return any_inside;
   clipped_.clear();
   for (std::size_t i = 0; i < polygon_.size(); ++i) {
+    const std::size_t next = i + 1 == polygon_.size() ? 0 : i + 1;
     const Vec2 p = polygon_[i];
-    const Vec2 q = polygon_[(i + 1) % polygon_.size()];
-    const double dp = dot(plane.normal, p) - plane.offset;
-    const double dq = dot(plane.normal, q) - plane.offset;
+    const double dp = heights_[i];
+    const double dq = heights_[next];
     if (dp > 0.0) clipped_.push_back(p);
-    if ((dp > 0.0) != (dq > 0.0)) clipped_.push_back(p + (dp / (dp - dq)) * (q - p));
+    if ((dp > 0.0) != (dq > 0.0)) clipped_.push_back(p + (dp / (dp - dq)) * (polygon_[next] - p));
   }
   std::swap(polygon_, clipped_);
   return !polygon_.empty();

@@ -50,6 +50,7 @@ class StarTest {
   std::vector<HalfPlane> planes_;
   std::vector<Vec2> polygon_;  // where the guard may be, clipped as the planes come in
   std::vector<Vec2> clipped_;
+  std::vector<double> heights_;  // of the polygon's vertices above a plane
 };
 
 // The configuration (t, central rotation of `posed`) is free: every pair of `list` has an axis that

@@ -192,8 +192,7 @@ pdg::Sway Subdivision::settling_sway(const CellBox& box, const pdg::Motion& moti
   flat[kTheta].cos_half = 1.0;
   const Parts& parts = labeller_.parts();
   const auto settled = [&](const pdg::Motion& m) {
-    const bool full =
-        parts.joint && result.separation < 0.0 && joint_.obstructs(m, posed, view(child_list_));
+    const bool full = parts.joint && result.separation < 0.0 && joint_.obstructs(m);
     return full || (parts.star && star_.find_guard(m, posed, view(child_list_)).has_value());
   };
   const std::array<double, 3> sways{result.sway.g1, result.sway.g2, result.sway.turn};
@@ -234,7 +233,7 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
       cell.label = Label::kFull;
       cell.joint = true;
       cell.proof = static_cast<std::uint32_t>(proofs_.size());
-      proofs_.push_back(joint_.proof());
+      proofs_.push_back(joint_.proof(view(child_list_)));
       proof_bytes_ += proofs_.back().bytes();
       ++statistics_.joint_cells;
     } else if (!parts.star) {
