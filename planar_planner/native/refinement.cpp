@@ -156,37 +156,48 @@ void Refinement::exhaust(const CellId cell) {
   search_.on_exhausted(cell);
 }
 
-// Proves the links of a solid channel. False if one failed, or a limit struck: the graph has
-// changed.
+// Proves the links of a solid channel. False if some failed, or a limit struck: the graph has
+// changed. All are tested, and all that failed are dealt with at once: along a long way finding the
+// channel again after each would cost the square of its length.
 bool Refinement::link(const std::vector<CellId>& channel) {
   connectors_.clear();
+  std::vector<std::pair<CellId, CellId>> blocked, doubtful;
   for (std::size_t i = 0; i + 1 < channel.size(); ++i) {
     if (stop()) return false;
-    const CellId a = channel[i];
-    const CellId b = channel[i + 1];
-    const Link link = faces_.test(a, b);
-    switch (link.state) {
-      case LinkState::kOpen:
-        connectors_.push_back(link.connector);
-        break;
-      case LinkState::kBlocked:
-        subdivision_.disconnect(a, b);
-        search_.on_disconnected(a, b);
-        return false;
-      case LinkState::kDoubtful:
-        resolve_doubt(a, b);
-        return false;
+    const Link link = faces_.test(channel[i], channel[i + 1]);
+    if (link.state == LinkState::kOpen) {
+      connectors_.push_back(link.connector);
+      continue;
     }
+    (link.state == LinkState::kBlocked ? blocked : doubtful)
+        .emplace_back(channel[i], channel[i + 1]);
   }
-  return true;
+  for (const auto& [a, b] : blocked) {
+    subdivision_.disconnect(a, b);
+    search_.on_disconnected(a, b);
+  }
+  resolve_doubts(doubtful);
+  return blocked.empty() && doubtful.empty();
 }
 
-// A face that stays mixed: split the larger STAR neighbour; at the limit the link is a barrier.
-void Refinement::resolve_doubt(const CellId a, const CellId b) {
+// In the order of the channel; a link to a cell that has just been split is no more what it was.
+void Refinement::resolve_doubts(const std::vector<std::pair<CellId, CellId>>& links) {
+  CellId last_split = kNoCell;
+  for (const auto& [a, b] : links)
+    if (a != last_split) last_split = resolve_doubt(a, b);
+}
+
+// A face that stays mixed: split the larger STAR neighbour, the cell returned; at the limit the
+// link is a barrier.
+CellId Refinement::resolve_doubt(const CellId a, const CellId b) {
   const bool a_larger = subdivision_.cell(a).size >= subdivision_.cell(b).size;
-  for (const CellId cell : {a_larger ? a : b, a_larger ? b : a})
-    if (subdivision_.divisible(cell, query_.limits.resolution)) return split(cell);
+  for (const CellId cell : {a_larger ? a : b, a_larger ? b : a}) {
+    if (!subdivision_.divisible(cell, query_.limits.resolution)) continue;
+    split(cell);
+    return cell;
+  }
   search_.on_doubtful(a, b);
+  return kNoCell;
 }
 
 // A free goal in the channel's last cell. True without a region.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "channel.hpp"
@@ -35,7 +36,8 @@ class Refinement {
   [[nodiscard]] std::vector<CellId> all_cells() const;
   bool split_mixed(const std::vector<CellId>& channel);
   bool link(const std::vector<CellId>& channel);
-  void resolve_doubt(CellId a, CellId b);
+  void resolve_doubts(const std::vector<std::pair<CellId, CellId>>& links);
+  CellId resolve_doubt(CellId a, CellId b);
   bool finish(const std::vector<CellId>& channel);
   bool try_ridge(const std::vector<CellId>& channel);
   void conclude_path(std::vector<Configuration> path, const char* reason, const char* by);

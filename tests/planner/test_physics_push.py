@@ -133,7 +133,7 @@ def test_goals_that_are_regions() -> None:
     assert nearest_goal(problem, inside) == inside
     path = solve(room).path
     assert replay(room, path).witnessed
-    assert not replay(room, path[:-1]).joins
+    assert not replay(room, path[path[:, 0] < 15.0]).joins
     escape = room | {"goal": {"escape": box(-30, -30, 5, 40)}}
     found = push(escape, seconds=20.0, tries=2)
     assert found.distance == pytest.approx(3.0)
