@@ -8,10 +8,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 
 from planar_planner.comparison import spread
+from planar_planner.pictures.style import new_figure, save_picture
 
 if TYPE_CHECKING:
     from planar_planner.compare import SceneComparison, Settings
@@ -24,7 +23,6 @@ MARKERS = ("o", "s", "^", "D", "v", "P", "X")
 SCENE_WIDTH = 0.9  # inches
 OTHER_WIDTH = 4.5  # of the axis and the legend
 HEIGHT = 4.5
-DPI = 150
 LIMIT_FACTOR = 1.5  # runs without an answer are drawn this much above the limit
 
 
@@ -47,10 +45,7 @@ def draw_comparison(
     suffix : str
         The format: ``.png``, ``.svg`` or ``.pdf``.
     """
-    figure = Figure(
-        figsize=(OTHER_WIDTH + SCENE_WIDTH * len(comparisons), HEIGHT), layout="constrained"
-    )
-    FigureCanvasAgg(figure)
+    figure = new_figure(OTHER_WIDTH + SCENE_WIDTH * len(comparisons), HEIGHT)
     axes = figure.add_subplot()
     ours = [
         [run.seconds if run.verdict != "undecided" else math.inf for run in each.ours]
@@ -74,7 +69,15 @@ def draw_comparison(
     axes.axhline(1e3 * settings.limit, color="#888888", linewidth=0.8, linestyle="--")
     axes.set_yscale("log")
     axes.set_ylabel("time to first solution, with preparation (ms)\nmedian and quartiles")
-    axes.set_xticks(range(len(comparisons)), [each.scene for each in comparisons], rotation=30)
+    names = [each.scene for each in comparisons]
+    axes.set_xticks(
+        range(len(names)),
+        names,
+        rotation=30,
+        rotation_mode="anchor",
+        ha="right",
+        parse_math=False,
+    )
     axes.set_title(
         f"{settings.runs} runs each, OMPL's motion resolution {settings.resolution:g}\n"
         f"crosses: the median run has no answer within {settings.limit:g} s",
@@ -83,7 +86,7 @@ def draw_comparison(
     axes.grid(axis="y", color="#E5E5E5")
     axes.set_axisbelow(True)
     figure.legend(loc="outside right upper", fontsize="small")
-    figure.savefig(file, dpi=DPI, format=suffix.lower().removeprefix("."))
+    save_picture(figure, file, suffix)
 
 
 def _offset(k: int, count: int) -> float:

@@ -8,9 +8,7 @@ import numpy as np
 import shapely
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch, Rectangle
 from matplotlib.path import Path
@@ -19,6 +17,8 @@ from planar_planner.fields import Box
 from planar_planner.margins.result import Margin, NarrowPlace
 from planar_planner.margins.surroundings import placed, shape_of
 from planar_planner.margins.text import margin_headline
+from planar_planner.pictures.shapes import workspace_path
+from planar_planner.pictures.style import new_figure
 from planar_planner.plot import INK, TRACE, draw_ends, draw_world, frame_axes, view_box
 from planar_planner.problem import Problem, make_problem
 from planar_planner.scene import Scene
@@ -28,7 +28,6 @@ OTHER = "#882255"  # wine (Tol): the robot of the other size
 CONTACT = "#000000"
 
 SIDE = 5.6  # inches, of a panel's longer side
-PADDING = 0.12  # inches
 ROOM = 0.25  # round the robot in the close-up, of its greater extent
 
 
@@ -52,13 +51,9 @@ def draw_margin(scene: Scene, margin: Margin) -> Figure:
     place = margin.bottleneck
     panels = 1 if place is None else 2
     height = SIDE * min(1.0, (view[3] - view[1]) / (view[2] - view[0]))
-    figure = Figure(
-        figsize=(SIDE * panels + 1.0, (height if panels == 1 else SIDE) + 1.4),
-        layout=ConstrainedLayoutEngine(w_pad=PADDING, h_pad=PADDING),
-    )
-    FigureCanvasAgg(figure)
+    figure = new_figure(SIDE * panels + 1.0, (height if panels == 1 else SIDE) + 1.4)
     axes = figure.subplots(1, panels, squeeze=False)[0]
-    outlined = problem.workspace is not None or problem.workspace_box is not None
+    outlined = workspace_path(problem) is not None
     keys = draw_world(axes[0], problem)
     keys += _draw_trace(axes[0], margin)
     keys += draw_ends(axes[0], problem)
@@ -84,7 +79,8 @@ def draw_margin(scene: Scene, margin: Margin) -> Figure:
         )
         frame_axes(axes[1], near, outlined=False)
         axes[1].set_title("where it is narrowest", color=INK, fontsize=11)
-    figure.suptitle(margin_headline(margin).replace("; ", "\n", 1), color=INK, fontsize=12)
+    headline = margin_headline(margin).replace("; ", "\n", 1)
+    figure.suptitle(headline, color=INK, fontsize=12, parse_math=False)
     figure.legend(handles=keys, loc="outside lower center", ncols=4, frameon=False, fontsize=9)
     return figure
 

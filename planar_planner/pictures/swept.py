@@ -81,7 +81,7 @@ def draw_scene(
     keys += draw_path(axes, problem, path)
     keys += draw_ends(axes, problem)
     frame_axes(axes, view, outlined=workspace_path(problem) is not None)
-    axes.set_title(title_of(problem.name, result), color=INK, fontsize=12)
+    axes.set_title(title_of(problem.name, result), color=INK, fontsize=12, parse_math=False)
     figure.legend(handles=keys, loc="outside lower center", ncols=3, frameon=False, fontsize=9)
     if file is not None:
         save_picture(figure, file)

@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 from matplotlib.collections import PathCollection
 
+from planar_planner.margins.find import margin
+from planar_planner.margins.picture import draw_margin
 from planar_planner.motion import equal_steps
-from planar_planner.plot import draw_scene, polygon_paths
+from planar_planner.plot import draw_scene, polygon_paths, save_picture
 from planar_planner.problem import make_problem
 from planar_planner.result import NoPath, PathFound, Undecided
 from planar_planner.scene import load_scene
@@ -35,6 +37,14 @@ def test_title_states_the_verdict(scene_dict: dict[str, Any]) -> None:
     ]
     for result, title in cases:
         assert draw_scene(scene, result).axes[0].get_title() == title
+
+
+def test_a_name_is_no_formula(tmp_path: Path, scene_dict: dict[str, Any]) -> None:
+    scene_dict["name"] = r"$\foo$ & <b>"
+    scene = load_scene(scene_dict)
+    file = tmp_path / "picture.svg"
+    for figure in (draw_scene(scene), draw_margin(scene, margin(scene_dict))):
+        save_picture(figure, file)  # an unknown symbol is an error when it is drawn
 
 
 def test_picture_shows_the_query_that_was_answered(scene_dict: dict[str, Any]) -> None:
