@@ -83,6 +83,18 @@ Arc minimisers(const Vec2 n, const std::size_t ring, const Constraint& c, const 
   return everywhere > 1 ? Arc{0, count} : Arc{start, length};
 }
 
+// n . R(delta) p for the only vertex that is left.
+Envelope single_vertex(const Vec2 n, const Constraint& c, const Motion& m, const Vec2 p) {
+  const double v = dot(n, p);
+  const double w = cross(p, n);
+  const double middle = v * m.cos_half;
+  const double swing = std::abs(w * m.sin_half);
+  Envelope out{.lo = middle - swing, .hi = middle + swing, .first = c.first, .count = 1};
+  if (std::abs(w) * m.cos_half <= std::abs(v) * m.sin_half)
+    (v > 0.0 ? out.hi : out.lo) = v > 0.0 ? norm(p) : -norm(p);
+  return out;
+}
+
 // Lower envelope of n . R(delta) p_i over a cyclic vertex range (for a robot edge the angle runs
 // the other way, which changes nothing). `point(i)` is vertex i seen from the centre of the motion;
 // `aligned(i, value)` says whether the edge from vertex i to i + 1 becomes parallel to the axis
@@ -90,6 +102,7 @@ Arc minimisers(const Vec2 n, const std::size_t ring, const Constraint& c, const 
 template <class Point, class Aligned>
 Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& c, const Motion& m,
                         const double error, const Point& point, const Aligned& aligned) {
+  if (c.count == 1) return single_vertex(n, c, m, point(c.first));
   Envelope out{.lo = INFINITY, .hi = INFINITY, .first = c.first, .count = c.count};
   const auto at = [&](const std::size_t i) {
     return c.first + i < ring ? c.first + i : c.first + i - ring;
@@ -129,7 +142,6 @@ Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& 
     out.lo = std::min(out.lo, lo);
     out.hi = std::min(out.hi, hi);
   }
-  if (c.count <= 1) return out;
   const Arc arc = minimisers(n, ring, c, m, error, point, {i_plus, at_plus}, {i_minus, at_minus});
   double envelope = std::max({at_minus, at_plus, peak});
   for (std::size_t i = 0; i + 1 < arc.length; ++i) {

@@ -109,8 +109,8 @@ void JointTest::weigh(const Motion& m, const TermRange range) {
   for (std::size_t k = range.begin; k < range.end; ++k) {
     const Term& t = terms_[k];
     const double curvature = t.v < 0.0 ? -t.v * (1.0 - m.cos_half) : 0.0;
-    program_.add({dot(t.normal, m.g1), dot(t.normal, m.g2), t.w * m.half_angle},
-                 t.value + t.v + curvature + t.error);
+    program_.add({{dot(t.normal, m.g1), dot(t.normal, m.g2), t.w * m.half_angle},
+                  t.value + t.v + curvature + t.error});
     weighed_.push_back(k);
   }
 }
@@ -140,9 +140,11 @@ bool JointTest::refute(const Motion& motion) {
   };
   if (std::none_of(weighed_.begin(), weighed_.end(), turning)) return false;
   bent_.clear();
-  for (std::size_t i = 0; i < weighed_.size(); ++i)
-    bent_.add(program_.gradient(i),
-              program_.constant(i) + (turning(weighed_[i]) ? unit_bend(motion) : 0.0));
+  for (std::size_t i = 0; i < weighed_.size(); ++i) {
+    WeightProgram::Function function = program_.function(i);
+    if (turning(weighed_[i])) function.constant += unit_bend(motion);
+    bent_.add(function);
+  }
   return bent_.solve() && proves(motion, bent_.weights());
 }
 

@@ -40,6 +40,7 @@ struct Labeller::Pass {
   const pdg::PosedRobot& posed;
   ConstraintList& out;
   Vec2 extent;  // half-extents of the translations along x and y
+  double extent_norm;
   LabelResult result;
   double least = INFINITY;     // separation of the deepest open pair in `out`
   std::size_t deepest = 0;     // its place among the pairs
@@ -55,8 +56,10 @@ Vec2 box_extent(const Motion& m) {
 
 // A pair stays closed while the motion radius exceeds this part of its circles' radii: such a cell
 // is hardly ever FULL and not worth the pair's functions yet. Smaller opens later: less work a
-// cell, weaker labels. Measured; any positive value is sound.
-constexpr double kOpeningFactor = 0.5;
+// cell, weaker labels. The first holds where the circles meet at every corner of the translations,
+// without which the pair cannot cover the cell. Measured; any positive values are sound.
+constexpr double kCoveringFactor = 0.7;
+constexpr double kOpeningFactor = 0.35;
 
 }  // namespace
 
@@ -93,7 +96,8 @@ const pdg::PosedRobot& Labeller::posed(const pdg::Rotation rotation) {
 LabelResult Labeller::label(const Motion& motion, const pdg::PosedRobot& posed,
                             const ConstraintView& parent, ConstraintList& out) {
   out.clear();
-  Pass pass{motion, posed, out, box_extent(motion), {}};
+  const Vec2 extent = box_extent(motion);
+  Pass pass{motion, posed, out, extent, pdg::norm(extent), {}};
   pass.result.clearance = INFINITY;
   pass.result.separation = INFINITY;
   std::size_t at = 0;
@@ -176,19 +180,21 @@ bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
                                  const std::uint16_t robot) {
   const pdg::ConvexPiece& a = robot_.pieces[robot];
   const pdg::ConvexPiece& b = tree_.piece(obstacle);
-  const Vec2 between = pass.motion.t + pdg::rotate(pass.posed.rotation, a.centre) - b.centre;
-  const double gap = circle_gap(pass.motion, pass.posed.rotation, a, b);
+  const Vec2 between = between_circles(pass.motion, pass.posed.rotation, a, b);
+  const double gap = circle_gap(pass.motion, between, a, b);
   LabelResult& result = pass.result;
   if (gap >= pass.motion.margin) {
     result.clearance = std::min(result.clearance, gap);
     return true;
   }
-  const double motion_radius = pdg::norm(pass.extent) + a.reach * pass.motion.half_angle;
-  if (motion_radius > kOpeningFactor * (a.radius + b.radius)) {
+  const double radii = a.radius + b.radius;
+  const double motion_radius = pass.extent_norm + a.reach * pass.motion.half_angle;
+  const Vec2 corner{std::abs(between.x) + pass.extent.x, std::abs(between.y) + pass.extent.y};
+  const bool may_cover = pdg::norm(corner) < radii;
+  if (motion_radius > (may_cover ? kCoveringFactor : kOpeningFactor) * radii) {
     pass.out.pairs.push_back({obstacle, robot, 0});
     const double inner = a.inner_radius + b.inner_radius;
-    result.separation =
-        std::min(result.separation, pdg::norm(between) - 0.5 * (a.radius + b.radius + inner));
+    result.separation = std::min(result.separation, pdg::norm(between) - 0.5 * (radii + inner));
     result.turning_radius = std::max(result.turning_radius, a.reach);
     add_sway(result, whole_sway(pass.motion, a.reach));
     return true;

@@ -31,20 +31,34 @@ inline double node_gap(const pdg::Motion& m, const double robot_reach, const Tre
   return distance_to_box(m, node.low, node.high) - robot_reach - error;
 }
 
+// From the centre of b's bounding circle to that of a's, in the middle of the motion.
+inline Vec2 between_circles(const pdg::Motion& m, const pdg::Rotation rotation,
+                            const pdg::ConvexPiece& a, const pdg::ConvexPiece& b) {
+  return m.t + pdg::rotate(rotation, a.centre) - b.centre;
+}
+
 // Lower bound of the distance between the pieces' bounding circles over the motion, up to rounding.
-inline double circle_distance(const pdg::Motion& m, const pdg::Rotation rotation,
-                              const pdg::ConvexPiece& a, const pdg::ConvexPiece& b) {
-  const Vec2 d = m.t + pdg::rotate(rotation, a.centre) - b.centre;
+inline double circle_distance(const pdg::Motion& m, const Vec2 d, const pdg::ConvexPiece& a,
+                              const pdg::ConvexPiece& b) {
   const double dx = std::max(std::abs(d.x) - std::abs(m.g1.x) - std::abs(m.g2.x), 0.0);
   const double dy = std::max(std::abs(d.y) - std::abs(m.g1.y) - std::abs(m.g2.y), 0.0);
   // |R(theta + delta) c - R(theta) c| = 2 |c| sin(|delta| / 2) <= |c| |delta|
   return pdg::norm({dx, dy}) - pdg::norm(a.centre) * m.half_angle - a.radius - b.radius;
 }
 
+inline double circle_distance(const pdg::Motion& m, const pdg::Rotation rotation,
+                              const pdg::ConvexPiece& a, const pdg::ConvexPiece& b) {
+  return circle_distance(m, between_circles(m, rotation, a, b), a, b);
+}
+
 // Lower bound of the distance between the pieces over the motion.
+inline double circle_gap(const pdg::Motion& m, const Vec2 between, const pdg::ConvexPiece& a,
+                         const pdg::ConvexPiece& b) {
+  return circle_distance(m, between, a, b) - pdg::separation_error(a, b, m);
+}
 inline double circle_gap(const pdg::Motion& m, const pdg::Rotation rotation,
                          const pdg::ConvexPiece& a, const pdg::ConvexPiece& b) {
-  return circle_distance(m, rotation, a, b) - pdg::separation_error(a, b, m);
+  return circle_gap(m, between_circles(m, rotation, a, b), a, b);
 }
 
 // Calls visit(obstacle piece, robot piece) for every pair whose circles may come nearer than

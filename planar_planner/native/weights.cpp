@@ -19,16 +19,6 @@ constexpr double slack_sign(const std::size_t slack) {
 
 }  // namespace
 
-void WeightProgram::add(const Gradient& gradient, const double constant) {
-  for (std::size_t i = 0; i < gradient.size(); ++i) gradients_[i].push_back(gradient[i]);
-  constants_.push_back(constant);
-}
-
-void WeightProgram::keep(const std::size_t count) {
-  for (std::vector<double>& component : gradients_) component.resize(count);
-  constants_.resize(count);
-}
-
 void WeightProgram::remember() {
   remembered_ = basis_;
   any_remembered_ = started_;
@@ -47,9 +37,9 @@ void WeightProgram::forget() {
 void WeightProgram::start() {
   std::size_t first = 0;
   double least = INFINITY;
-  for (std::size_t k = 0; k < constants_.size(); ++k) {
-    const double alone = constants_[k] + std::abs(gradients_[0][k]) + std::abs(gradients_[1][k]) +
-                         std::abs(gradients_[2][k]);
+  for (std::size_t k = 0; k < functions_.size(); ++k) {
+    const auto& [g, constant] = functions_[k];
+    const double alone = constant + std::abs(g[0]) + std::abs(g[1]) + std::abs(g[2]);
     if (alone < least) {
       least = alone;
       first = k;
@@ -57,11 +47,11 @@ void WeightProgram::start() {
   }
   basis_ = {};
   basis_.columns[3] = kSlacks + first;
-  basis_.costs[3] = constants_[first];
+  basis_.costs[3] = functions_[first].constant;
   basis_.inverse[3][3] = 1.0;
   basis_.solution[3] = 1.0;
   for (std::size_t row = 0; row < 3; ++row) {
-    const double g = gradients_[row][first];
+    const double g = functions_[first].gradient[row];
     const double sign = g >= 0.0 ? -1.0 : 1.0;  // p - q = g, written as g - p + q = 0
     basis_.columns[row] = 2 * row + (sign > 0.0 ? 1 : 0);
     basis_.costs[row] = 1.0;
@@ -73,7 +63,7 @@ void WeightProgram::start() {
 }
 
 bool WeightProgram::solve() {
-  if (constants_.empty()) return false;
+  if (functions_.empty()) return false;
   if (!started_) start();
   for (int pivots = 0; pivots <= kPivots; ++pivots) {
     double value = 0.0;
@@ -94,10 +84,10 @@ bool WeightProgram::solve() {
     }
     const bool inside = entering == SIZE_MAX;  // z = -prices is in the cube
     double least = 0.0;
-    for (std::size_t k = 0; k < constants_.size(); ++k) {
-      const double reduced = constants_[k] - prices[0] * gradients_[0][k] -
-                             prices[1] * gradients_[1][k] - prices[2] * gradients_[2][k] -
-                             prices[3];
+    for (std::size_t k = 0; k < functions_.size(); ++k) {
+      const auto& [g, constant] = functions_[k];
+      const double reduced =
+          constant - prices[0] * g[0] - prices[1] * g[1] - prices[2] * g[2] - prices[3];
       least = std::min(least, reduced);
       if (reduced < steepest) {
         steepest = reduced;
@@ -117,11 +107,11 @@ bool WeightProgram::pivot(const std::size_t entering) {
     const double sign = slack_sign(entering);
     for (std::size_t i = 0; i < kRows; ++i) direction[i] = sign * basis_.inverse[i][entering / 2];
   } else {
-    const std::size_t k = entering - kSlacks;
-    for (std::size_t i = 0; i < kRows; ++i)
-      direction[i] = basis_.inverse[i][0] * gradients_[0][k] +
-                     basis_.inverse[i][1] * gradients_[1][k] +
-                     basis_.inverse[i][2] * gradients_[2][k] + basis_.inverse[i][3];
+    const Gradient& g = functions_[entering - kSlacks].gradient;
+    for (std::size_t i = 0; i < kRows; ++i) {
+      const Column& row = basis_.inverse[i];
+      direction[i] = row[0] * g[0] + row[1] * g[1] + row[2] * g[2] + row[3];
+    }
   }
   std::size_t leaving = kRows;
   double step = INFINITY;
@@ -142,7 +132,7 @@ bool WeightProgram::pivot(const std::size_t entering) {
   basis_.solution[leaving] *= scale;
   for (double& x : basis_.inverse[leaving]) x *= scale;
   basis_.columns[leaving] = entering;
-  basis_.costs[leaving] = entering < kSlacks ? 1.0 : constants_[entering - kSlacks];
+  basis_.costs[leaving] = entering < kSlacks ? 1.0 : functions_[entering - kSlacks].constant;
   return true;
 }
 

@@ -16,6 +16,10 @@ using Gradient = std::array<double, 3>;
 
 class WeightProgram {
  public:
+  struct Function {
+    Gradient gradient;
+    double constant;
+  };
   // At most four functions have a weight; the rest of the array is not used.
   struct Weight {
     std::size_t function;
@@ -30,15 +34,12 @@ class WeightProgram {
     keep(0);
     started_ = false;
   }
-  void add(const Gradient& gradient, double constant);
-  [[nodiscard]] Gradient gradient(const std::size_t k) const {
-    return {gradients_[0][k], gradients_[1][k], gradients_[2][k]};
-  }
-  [[nodiscard]] double constant(const std::size_t k) const { return constants_[k]; }
+  void add(const Function& function) { functions_.push_back(function); }
+  [[nodiscard]] const Function& function(const std::size_t k) const { return functions_[k]; }
 
   // Drops all functions but the first `count`. Only if they alone are those of the remembered basis
   // or none is remembered.
-  void keep(std::size_t count);
+  void keep(const std::size_t count) { functions_.resize(count); }
 
   // Can the functions be weighted like that? False also when the pivots run out.
   bool solve();
@@ -64,8 +65,7 @@ class WeightProgram {
   void start();
   bool pivot(std::size_t entering);
 
-  std::array<std::vector<double>, 3> gradients_;
-  std::vector<double> constants_;
+  std::vector<Function> functions_;
   Basis basis_, remembered_;
   bool started_ = false, any_remembered_ = false;
 };
