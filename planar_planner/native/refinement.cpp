@@ -15,16 +15,6 @@ constexpr double kListenerPeriod = 0.1;  // seconds
 // value in (0, 1] is sound.
 constexpr float kBatch = 0.7F;
 
-// The ridge is tried when so many cells have been labelled: earlier channels are too coarse. Again
-// when they are so many times as many, or the work since the last try is so many times its own.
-// Work is counted in evaluations of separating-axis functions.
-constexpr std::uint64_t kFirstRidge = 128;
-constexpr std::uint64_t kRidgeGrowth = 2;
-constexpr std::uint64_t kRidgePatience = 20;
-// What a try may cost: so much, and one part in so many of the work before.
-constexpr std::uint64_t kRidgeWork = 1000;
-constexpr std::uint64_t kRidgeShare = 24;
-
 }  // namespace
 
 Refinement::Refinement(const Problem& problem, ObstacleTree& tree, Subdivision& subdivision,
@@ -39,8 +29,7 @@ Refinement::Refinement(const Problem& problem, ObstacleTree& tree, Subdivision& 
       start_point_(dyadic_point(problem, query.start)),
       goal_point_(dyadic_point(problem, query.goal)),
       search_(subdivision, statistics),
-      ridge_(problem, tree, subdivision, segments, statistics),
-      next_ridge_{kFirstRidge, UINT64_MAX} {
+      ridge_(problem, tree, subdivision, segments, statistics) {
   if (query.region != nullptr) goals_.emplace(*query.region, subdivision);
 }
 
@@ -262,21 +251,10 @@ bool Refinement::finish(const std::vector<CellId>& channel) {
 // A path along the ridge of the clearance through a channel that is still MIXED. True if the query
 // is answered, or stopped.
 bool Refinement::try_ridge(const std::vector<CellId>& channel) {
-  const Parts& parts = problem_.parts;
-  const std::uint64_t before = statistics_.axis_work();
-  const bool due = statistics_.labelled_cells >= next_ridge_.cells || before >= next_ridge_.work;
-  if (!parts.ridge || !parts.guided || !due || !pick_goal(channel.back())) return false;
-  const Stopwatch watch(statistics_.seconds.path);
-  ++statistics_.ridge_tries;
-  const Terminator terminator = [this] { return stop(); };
-  std::vector<Configuration> path = ridge_.find(channel, query_.start, query_.goal,
-                                                kRidgeWork + before / kRidgeShare, terminator);
-  const std::uint64_t after = statistics_.axis_work();
-  next_ridge_ = {kRidgeGrowth * statistics_.labelled_cells,
-                 after + kRidgePatience * (after - before)};
+  if (!ridge_.due() || !pick_goal(channel.back())) return false;
+  std::vector<Configuration> path =
+      ridge_.attempt(channel, query_.start, query_.goal, [this] { return stop(); });
   if (path.empty()) return query_.stopped;
-  CollisionHint hint(problem_, tree_);
-  if (certify_shortened(problem_, tree_, segments_, hint, path, terminator)) return query_.stopped;
   conclude_path(std::move(path), "certified along the ridge of the clearance", "ridge");
   return true;
 }
@@ -316,19 +294,6 @@ bool Refinement::stop() {
                           statistics_.channel_length,
                           statistics_.search_rounds};
   return query_.listener(progress) ? false : reached("interrupted");
-}
-
-void take_census(const Subdivision& subdivision, Answer& answer) {
-  answer.cells_by_label = {};
-  answer.cells_by_level.clear();
-  for (CellId id = 0; id < subdivision.size(); ++id) {
-    const Cell& cell = subdivision.cell(id);
-    ++answer.cells_by_label[static_cast<std::size_t>(cell.label)];
-    const std::size_t level =
-        std::size_t{cell.box.level[0]} + cell.box.level[1] + cell.box.level[2];
-    if (answer.cells_by_level.size() <= level) answer.cells_by_level.resize(level + 1);
-    ++answer.cells_by_level[level];
-  }
 }
 
 }  // namespace planner

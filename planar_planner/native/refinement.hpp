@@ -6,12 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "census.hpp"
 #include "channel.hpp"
 #include "face.hpp"
 #include "goal_cells.hpp"
 #include "problem.hpp"
 #include "query.hpp"
-#include "ridge_path.hpp"
+#include "ridge_attempts.hpp"
 #include "segment.hpp"
 #include "subdivision.hpp"
 
@@ -56,16 +57,7 @@ class Refinement {
   std::optional<GoalCells> goals_;                         // of the region, if there is one
   ChannelSearch search_;
   std::vector<Connector> connectors_;
-  RidgePath ridge_;
-  // When the ridge is tried again, whichever comes first.
-  struct Due {
-    std::uint64_t cells;  // Statistics::labelled_cells
-    std::uint64_t work;   // Statistics::axis_work()
-  };
-  Due next_ridge_;
+  RidgeAttempts ridge_;
 };
-
-// Leaves by label and level.
-void take_census(const Subdivision& subdivision, Answer& answer);
 
 }  // namespace planner
