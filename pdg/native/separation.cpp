@@ -44,6 +44,11 @@ struct Least {
   double value;
 };
 
+// The place of `sum` in a cycle of `count`; sum < 2 count.
+constexpr std::size_t cyclic(const std::size_t sum, const std::size_t count) {
+  return sum < count ? sum : sum - count;
+}
+
 // The vertices that can be the minimiser somewhere in the motion. On a counter-clockwise ring the
 // minimiser walks backwards while delta grows: they are the arc from that at +h to that at -h.
 // Vertices that rounding cannot tell from one of these two count as such, so that none is lost.
@@ -52,8 +57,7 @@ Arc minimisers(const Vec2 n, const std::size_t ring, const Constraint& c, const 
                const double error, const Point& point, const Least plus, const Least minus) {
   const std::size_t count = c.count;
   const auto ties = [&](const std::size_t i) {
-    const std::size_t k = c.first + i < ring ? c.first + i : c.first + i - ring;
-    const Vec2 p = point(k);
+    const Vec2 p = point(cyclic(c.first + i, ring));
     const double middle = dot(n, p) * m.cos_half;
     const double swing = cross(p, n) * m.sin_half;
     return std::pair{middle + swing <= plus.value + error, middle - swing <= minus.value + error};
@@ -70,14 +74,14 @@ Arc minimisers(const Vec2 n, const std::size_t ring, const Constraint& c, const 
     return {start, end - start + 1};
   }
   std::size_t start = plus.index;
-  std::size_t length = (minus.index + count - start) % count + 1;
-  for (; length < count && ties_somewhere((start + count - 1) % count); ++length)
-    start = (start + count - 1) % count;
-  while (length < count && ties_somewhere((start + length) % count)) ++length;
+  std::size_t length = cyclic(minus.index + count - start, count) + 1;
+  for (; length < count && ties_somewhere(cyclic(start + count - 1, count)); ++length)
+    start = cyclic(start + count - 1, count);
+  while (length < count && ties_somewhere(cyclic(start + length, count))) ++length;
   // Two vertices that tie at both ends may stand for the arc that leads round the other side.
   std::size_t everywhere = 0;
   for (std::size_t i = 0; length > 1 && i < length; ++i) {
-    const auto [at_plus, at_minus] = ties((start + i) % count);
+    const auto [at_plus, at_minus] = ties(cyclic(start + i, count));
     if (at_plus && at_minus) ++everywhere;
   }
   return everywhere > 1 ? Arc{0, count} : Arc{start, length};
@@ -104,9 +108,7 @@ Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& 
                         const double error, const Point& point, const Aligned& aligned) {
   if (c.count == 1) return single_vertex(n, c, m, point(c.first));
   Envelope out{.lo = INFINITY, .hi = INFINITY, .first = c.first, .count = c.count};
-  const auto at = [&](const std::size_t i) {
-    return c.first + i < ring ? c.first + i : c.first + i - ring;
-  };
+  const auto at = [&](const std::size_t i) { return cyclic(c.first + i, ring); };
   double at_minus = INFINITY;  // envelope at delta = -h and +h, and its minimisers there
   double at_plus = INFINITY;
   std::size_t i_minus = 0;
@@ -146,7 +148,7 @@ Envelope lower_envelope(const Vec2 n, const std::size_t ring, const Constraint& 
   double envelope = std::max({at_minus, at_plus, peak});
   for (std::size_t i = 0; i + 1 < arc.length; ++i) {
     double value = 0.0;
-    if (aligned(at((arc.start + i) % c.count), value)) envelope = std::max(envelope, value);
+    if (aligned(at(cyclic(arc.start + i, c.count)), value)) envelope = std::max(envelope, value);
   }
   out.hi = std::min(out.hi, envelope);
   out.first = static_cast<std::uint16_t>(at(arc.start));
@@ -169,8 +171,7 @@ Range coupled_range(const Vec2 n, const std::size_t ring, const Constraint& c, c
   const double h = m.half_angle;
   Range range{INFINITY, INFINITY, 0.0};
   for (std::size_t i = 0; i < c.count; ++i) {
-    const std::size_t k = c.first + i < ring ? c.first + i : c.first + i - ring;
-    const Vec2 p = point(k);
+    const Vec2 p = point(cyclic(c.first + i, ring));
     const double v = dot(n, p);
     const double w = cross(p, n);
     // 1 - cos h <= h^2 / 2 and h - sin h <= h^3 / 6
