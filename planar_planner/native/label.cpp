@@ -59,7 +59,7 @@ Vec2 box_extent(const Motion& m) {
 // cell, weaker labels. The first holds where the circles meet at every corner of the translations,
 // without which the pair cannot cover the cell. Measured; any positive values are sound.
 constexpr double kCoveringFactor = 0.7;
-constexpr double kOpeningFactor = 0.35;
+constexpr double kOpeningFactor = 0.34;
 
 }  // namespace
 
