@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
@@ -16,11 +15,6 @@ constexpr std::size_t at(const Index i) {
   return static_cast<std::size_t>(i);
 }
 
-// The largest number of edges that are looked at while the constraints of one polygon make room for
-// themselves: some ten seconds. It grows with the square of how many edges a constraint crosses,
-// which is few but for thousands of vertices that crowd along lines across it.
-constexpr std::uint64_t kMostSteps = 200'000'000;
-
 std::string text(const Vec2 p) {
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, "(%.17g, %.17g)", p.x, p.y);
@@ -33,8 +27,7 @@ std::string text(const std::array<Vec2, 2>& edge) {
 
 void spend(PointMesh& mesh, const std::size_t steps) {
   mesh.steps += steps;
-  if (mesh.steps > kMostSteps)
-    throw std::invalid_argument("too many long edges between crowded vertices");
+  if (mesh.steps > mesh.most_steps) throw CrowdedError();
 }
 
 // One crossing edge of a segment under insertion.
@@ -125,6 +118,9 @@ void clear_one_vertex(PointMesh& mesh, const Index u, const Stretch& stretch) {
 }
 
 }  // namespace
+
+CrowdedError::CrowdedError()
+    : std::invalid_argument("too many long edges between crowded vertices") {}
 
 EdgesCrossError::EdgesCrossError(const std::array<Vec2, 2>& e, const std::array<Vec2, 2>& f)
     : std::invalid_argument("edges cross: " + text(e) + " and " + text(f)), first(e), second(f) {}

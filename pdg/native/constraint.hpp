@@ -18,6 +18,11 @@ struct EdgesCrossError : std::invalid_argument {
   std::array<Vec2, 2> second;
 };
 
+// Constraints cross so many edges that making room for them takes more than mesh.most_steps.
+struct CrowdedError : std::invalid_argument {
+  CrowdedError();
+};
+
 // The vertices of all rings, sorted lexicographically, each once. Throws std::invalid_argument on a
 // ring of fewer than three and on coordinates outside the range of exact arithmetic.
 std::vector<Vec2> distinct_points(const Polygon& polygon);
@@ -26,8 +31,8 @@ std::vector<Vec2> distinct_points(const Polygon& polygon);
 Index index_of(const std::vector<Vec2>& points, Vec2 p);
 
 // Makes u -> v an edge, or a chain of edges if it runs through other vertices, and fixes it.
-// `passed` is called with both ends of every edge of the chain, in order. Throws EdgesCrossError;
-// and std::invalid_argument where it would take minutes.
+// `passed` is called with both ends of every edge of the chain, in order. Throws EdgesCrossError
+// and CrowdedError.
 void insert_constraint(PointMesh& mesh, Index u, Index v,
                        const std::function<void(Index, Index)>& passed = {});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "predicates.hpp"
@@ -137,8 +138,10 @@ void flip(PointMesh& mesh, const Index h) {
 // measure is strictly greater, so the sorted list of all measures grows lexicographically with
 // every flip, whatever the rounding: no triangulation comes twice, and there are finitely many.
 // (In exact arithmetic the result is the constrained Delaunay triangulation.)
-void improve_angles(PointMesh& mesh, std::vector<Index>& half_edges) {
-  while (!half_edges.empty()) {
+void improve_angles(PointMesh& mesh, std::vector<Index>& half_edges,
+                    const std::uint64_t most_flips) {
+  std::uint64_t flips = 0;
+  while (!half_edges.empty() && flips < most_flips) {
     const Index h = half_edges.back();
     half_edges.pop_back();
     if (!can_flip(mesh, h)) continue;
@@ -153,6 +156,7 @@ void improve_angles(PointMesh& mesh, std::vector<Index>& half_edges) {
     const double second = least_sine(mesh, x, v, w);
     if (!(second > now)) continue;
     flip(mesh, h);
+    ++flips;
     mesh.least_sine[at(h / 3)] = first;
     mesh.least_sine[at(t / 3)] = second;
     const Index outer[] = {h, PointMesh::prev(h), t, PointMesh::prev(t)};

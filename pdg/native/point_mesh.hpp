@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,11 @@ inline constexpr Index kNone = -1;
 
 inline constexpr double kUnmeasured = -1.0;
 
+// The largest number of edges that are looked at while the constraints of one polygon make room for
+// themselves: some ten seconds. It grows with the square of how many edges a constraint crosses,
+// which is few but for thousands of vertices that crowd along lines across it.
+inline constexpr std::uint64_t kMostConstraintSteps = 200'000'000;
+
 struct PointMesh {
   std::vector<Vec2> points;         // distinct, sorted lexicographically
   std::vector<Index> origin;        // per half-edge: point
@@ -27,6 +33,7 @@ struct PointMesh {
   std::vector<Index> hull_edge;     // per hull point: the hull half-edge that starts there
   std::vector<double> least_sine;   // per triangle: of its least angle, or kUnmeasured
   std::uint64_t steps = 0;          // work spent on constraints
+  std::uint64_t most_steps = kMostConstraintSteps;
 
   static constexpr Index next(const Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static constexpr Index prev(const Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -65,8 +72,9 @@ bool can_flip(const PointMesh& mesh, Index h);
 void flip(PointMesh& mesh, Index h);
 
 // Flips every flippable edge reachable from the given ones while that enlarges the smaller of the
-// two triangles' least angles; takes the edges out of the list. Always ends: see the comment at the
-// definition.
-void improve_angles(PointMesh& mesh, std::vector<Index>& half_edges);
+// two triangles' least angles, up to a number of flips; takes the edges out of the list. Always
+// ends: see the comment at the definition.
+void improve_angles(PointMesh& mesh, std::vector<Index>& half_edges,
+                    std::uint64_t most_flips = std::numeric_limits<std::uint64_t>::max());
 
 }  // namespace pdg

@@ -17,6 +17,17 @@ constexpr std::size_t at(const Index i) {
   return static_cast<std::size_t>(i);
 }
 
+// Larger polygons have their edges put in: a sweep may leave slivers that take a number of flips
+// that is quadratic.
+constexpr std::size_t kMostSweptVertices = 2048;
+
+// Where putting edges in takes longer, about a second, such a polygon is swept after all, if it can
+// be. Then slivers may stay: any triangulation is right, good angles only make fewer pieces. The
+// flips allowed are more than a smaller polygon's square, or a mesh of points with edges, takes.
+constexpr std::uint64_t kStepsBeforeSweep = 20'000'000;
+constexpr std::uint64_t kMostFlips = 5'000'000;
+constexpr std::uint64_t kMostFlipsPerTriangle = 100;
+
 // Per triangle: 1 inside, 0 outside, by the parity of constraints crossed from outside the hull.
 std::vector<std::int8_t> inside_flags(const PointMesh& mesh) {
   std::vector<std::int8_t> inside(at(mesh.triangle_count()), -1);
@@ -65,8 +76,9 @@ Triangulation interior(const PointMesh& mesh) {
 }
 
 // All points triangulated, then the edges put in: for any polygon.
-PointMesh triangulate_constrained(const Polygon& polygon) {
+PointMesh triangulate_constrained(const Polygon& polygon, const std::uint64_t most_steps) {
   PointMesh mesh = triangulate_points(distinct_points(polygon));
+  mesh.most_steps = most_steps;
   if (mesh.triangle_count() == 0) return mesh;
   for (const Ring& ring : polygon.rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -77,15 +89,35 @@ PointMesh triangulate_constrained(const Polygon& polygon) {
   return mesh;
 }
 
+// Nothing where that takes more than so many steps.
+std::optional<PointMesh> triangulate_sparse(const Polygon& polygon, const std::uint64_t steps) {
+  try {
+    return triangulate_constrained(polygon, steps);
+  } catch (const CrowdedError&) {
+    return std::nullopt;
+  }
+}
+
+// A mesh of the hull or, by a sweep, of the interior only. Where rings touch, a sweep gives up.
+// Throws CrowdedError.
+PointMesh make_mesh(const Polygon& polygon) {
+  std::size_t count = 0;
+  for (const Ring& ring : polygon.rings) count += ring.size();
+  std::optional<PointMesh> mesh;
+  if (count > kMostSweptVertices) mesh = triangulate_sparse(polygon, kStepsBeforeSweep);
+  if (!mesh) mesh = triangulate_sweep(polygon);
+  return mesh ? *std::move(mesh) : triangulate_constrained(polygon, kMostConstraintSteps);
+}
+
 }  // namespace
 
 Triangulation triangulate(const Polygon& polygon) {
-  std::optional<PointMesh> swept = triangulate_sweep(polygon);
-  PointMesh mesh = swept ? *std::move(swept) : triangulate_constrained(polygon);
+  PointMesh mesh = make_mesh(polygon);
   if (mesh.triangle_count() == 0) return {};
   std::vector<Index> all(mesh.origin.size());
   std::iota(all.begin(), all.end(), Index{0});
-  improve_angles(mesh, all);
+  const std::uint64_t most_flips = kMostFlips + kMostFlipsPerTriangle * at(mesh.triangle_count());
+  improve_angles(mesh, all, most_flips);
   return interior(mesh);
 }
 

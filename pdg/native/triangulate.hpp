@@ -20,8 +20,8 @@ struct Triangulation {
 // touch each other or themselves at vertices, and a vertex may lie on another edge; a stretch of
 // boundary that is run through twice cancels. All decisions on topology are exact.
 // Throws std::invalid_argument for a ring of fewer than three vertices, a coordinate outside the
-// range of predicates.hpp, edges that cross at no common vertex, and a polygon that would take
-// minutes.
+// range of predicates.hpp, edges that cross at no common vertex, and a polygon that touches
+// itself and would take minutes.
 Triangulation triangulate(const Polygon& polygon);
 
 }  // namespace pdg

@@ -18,10 +18,6 @@
 namespace pdg {
 namespace {
 
-// Larger polygons are left to the other way: a sweep may leave slivers that take a number of flips
-// that is quadratic.
-constexpr std::size_t kMostVertices = 2048;
-
 constexpr std::size_t at(const Index i) {
   return static_cast<std::size_t>(i);
 }
@@ -223,9 +219,6 @@ std::optional<PointMesh> Chains::take_mesh() {
 }  // namespace
 
 std::optional<PointMesh> triangulate_sweep(const Polygon& polygon) {
-  std::size_t count = 0;
-  for (const Ring& ring : polygon.rings) count += ring.size();
-  if (count > kMostVertices) return std::nullopt;
   const SweepVertices vertices = sort_vertices(polygon);
   Chains chains(vertices.points);
   if (vertices.points.empty() || !RingSweep(vertices, chains).run()) return std::nullopt;

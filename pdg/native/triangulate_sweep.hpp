@@ -11,9 +11,9 @@ namespace pdg {
 
 // The mesh holds the triangles inside, by the even-odd rule, and nothing else; its half-edges
 // without a twin are the polygon's edges, each marked odd. Exact: the triangles tile the interior.
-// Nothing if a vertex comes twice or lies on an edge, edges cross or overlap, a coordinate is out
-// of range, or the polygon is too large for a sweep's flips: then `triangulate` knows another way,
-// and says what is wrong. Rings have at least three vertices.
+// Nothing if a vertex comes twice or lies on an edge, edges cross or overlap, or a coordinate is
+// out of range: then `triangulate` knows another way, and says what is wrong. Rings have at least
+// three vertices.
 std::optional<PointMesh> triangulate_sweep(const Polygon& polygon);
 
 }  // namespace pdg
