@@ -62,6 +62,17 @@ Configuration configuration() {
   return {t.x, t.y, number()};
 }
 
+planner::Goal goal() {
+  if (count() == 0) return configuration();
+  planner::GoalSet set;
+  set.polygons = polygons();
+  if (count() == 1) {
+    const double low = number();
+    set.angles = {low, number()};
+  }
+  return set;
+}
+
 // Fowler, Noll and Vo's hash of the bytes.
 class Hash {
  public:
@@ -118,13 +129,13 @@ int main() {
     if (workspace.size() == 1) scene.workspace = workspace.polygon(0);
     scene.reference_bounds = rectangle();
     const Configuration start = configuration();
-    const Configuration goal = configuration();
+    const planner::Goal end = goal();
     planner::Limits limits;
     limits.max_cells = max_cells;
     limits.timeout = std::numeric_limits<double>::infinity();
     limits.max_memory = std::numeric_limits<std::uint64_t>::max();
     planner::Planner planner(std::move(scene));
-    const planner::Answer answer = planner.solve(start, goal, limits, {});
+    const planner::Answer answer = planner.solve(start, end, limits, {});
     constexpr const char* verdicts[] = {"path", "no_path", "undecided"};
     std::printf("%s %s %016llx\n", name, verdicts[static_cast<std::size_t>(answer.verdict)],
                 static_cast<unsigned long long>(hash_of(planner, answer)));

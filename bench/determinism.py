@@ -18,10 +18,11 @@ from pathlib import Path
 from typing import Any
 
 import provenance
-from shipped import with_point_goals
 
 from planar_planner import load_scene
-from planar_planner.problem import Polygons, make_problem, point_goal
+from planar_planner.builtin import manifest
+from planar_planner.goal import Goal, GoalRegion
+from planar_planner.problem import Polygons, make_problem
 
 MAX_CELLS = 20_000
 COMPILERS = ("g++", "clang++")
@@ -56,9 +57,16 @@ def numbers(values: Any) -> list[str]:
     return ["0"] if values is None else ["1", *(float(x).hex() for x in values)]
 
 
+def goal_numbers(goal: Goal, rotation: bool) -> list[str]:
+    """Return a goal as the driver reads it: 0 and a configuration, or 1, polygons and angles."""
+    if isinstance(goal, GoalRegion):
+        return ["1", *written(goal.polygons), *numbers(goal.angles if rotation else None)]
+    return ["0", *(float(x).hex() for x in goal)]
+
+
 def scenes() -> str:
     """Return the driver's input: all shipped scenes."""
-    names = list(with_point_goals())
+    names = list(manifest())
     out = [str(MAX_CELLS), str(len(names))]
     for name in names:
         problem = make_problem(load_scene(name))
@@ -66,7 +74,8 @@ def scenes() -> str:
         out += written(problem.robot) + written(problem.obstacles)
         out += numbers(problem.workspace_box) + written(problem.workspace)
         out += numbers(problem.reference_bounds)
-        out += [float(x).hex() for x in (*problem.start, *point_goal(problem, "the native driver"))]
+        out += [float(x).hex() for x in problem.start]
+        out += goal_numbers(problem.goal, problem.rotation)
     return " ".join(out)
 
 
