@@ -45,19 +45,21 @@ def ends_of(problem: Problem, core: Core, around: Surroundings) -> Ends:
     SceneError
         If one is outside the reference bounds: no size of the robot makes that legal.
     """
-    found = {}
+    found, room = {}, {}
     shape = shape_of(problem.robot)
     for name, q in both_ends(problem).items():
         placement = core.placement(q)
         if placement["what"] == "reference_bounds":
             raise SceneError(explanation(placement, problem), name, str(list(q)), problem.source)
-        free = placement["state"] == "free"
-        found[name] = around.clearance(placed(shape, q)) if free else 0.0
-    binding = min(found, key=lambda name: found[name])
-    if not math.isfinite(found[binding]):
+        clearance = around.clearance(placed(shape, q))
+        found[name] = clearance if placement["state"] == "free" else 0.0
+        # What is called a contact is one within rounding: what is measured there counts.
+        room[name] = 0.0 if placement["state"] in ("colliding", "outside") else clearance
+    binding = min(room, key=lambda name: room[name])
+    if not math.isfinite(room[binding]):
         return Ends(math.inf, math.inf, math.inf, "none")
     slack = max(around.rounding(problem.robot, q) for q in both_ends(problem).values())
-    return Ends(found["start"], found.get("goal", math.inf), found[binding] + slack, binding)
+    return Ends(found["start"], found.get("goal", math.inf), room[binding] + slack, binding)
 
 
 def scale_limit(problem: Problem, family: Scalings, ends: Ends, width: float) -> tuple[float, str]:
