@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from ompl_table import SOUND, Entry
 
 from planar_planner.comparison import spread
-from planar_planner.comparison_plot import COLOURS, DPI, OURS
+from planar_planner.comparison_plot import COLOURS, OURS
 
 MS = 1e3
 ROW_HEIGHT = 0.28  # inches
@@ -58,4 +58,4 @@ def draw(found: Sequence[Entry], limit: float, file: Path) -> None:
     axes.plot([], [], "D", color="#444444", label="native")
     axes.plot([], [], "o", color="#444444", markerfacecolor="none", label="< 95 % of paths sound")
     figure.legend(loc="outside right upper", fontsize="small")
-    figure.savefig(file, dpi=DPI)
+    figure.savefig(file, dpi=110, metadata={"Software": None})
