@@ -54,12 +54,16 @@ Vec2 box_extent(const Motion& m) {
   return {std::abs(m.g1.x) + std::abs(m.g2.x), std::abs(m.g1.y) + std::abs(m.g2.y)};
 }
 
-// A pair stays closed while the motion radius exceeds this part of its circles' radii: such a cell
-// is hardly ever FULL and not worth the pair's functions yet. Smaller opens later: less work a
-// cell, weaker labels. The first holds where the circles meet at every corner of the translations,
-// without which the pair cannot cover the cell. Measured; any positive values are sound.
-constexpr double kCoveringFactor = 0.7;
-constexpr double kOpeningFactor = 0.34;
+// A pair stays closed while the motion radius exceeds a part of its circles' radii: such a cell is
+// hardly ever FULL and not worth the pair's functions yet. Smaller opens later: less work a cell,
+// weaker labels, more cells. Of many pieces one alone covers little, so their pairs open later,
+// but for those whose circles meet at every corner of the translations, without which a pair cannot
+// cover the cell. Measured on mazes, fields and chains of baffles (two pieces), combs and gears
+// (eleven and more); any positive values are sound.
+constexpr std::size_t kManyPieces = 8;
+constexpr double kOpeningOfFew = 0.5;
+constexpr double kOpeningOfMany = 0.34;
+constexpr double kCoveringOfMany = 0.7;
 
 }  // namespace
 
@@ -176,6 +180,12 @@ bool Labeller::visit_piece(Pass& pass, const std::uint32_t piece) {
   return true;
 }
 
+double Labeller::opening(const Vec2 extent, const Vec2 between, const double radii) const {
+  if (robot_.body_pieces() < kManyPieces) return kOpeningOfFew;
+  const Vec2 corner{std::abs(between.x) + extent.x, std::abs(between.y) + extent.y};
+  return pdg::norm(corner) < radii ? kCoveringOfMany : kOpeningOfMany;
+}
+
 bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
                                  const std::uint16_t robot) {
   const pdg::ConvexPiece& a = robot_.pieces[robot];
@@ -189,9 +199,7 @@ bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
   }
   const double radii = a.radius + b.radius;
   const double motion_radius = pass.extent_norm + a.reach * pass.motion.half_angle;
-  const Vec2 corner{std::abs(between.x) + pass.extent.x, std::abs(between.y) + pass.extent.y};
-  const bool may_cover = pdg::norm(corner) < radii;
-  if (motion_radius > (may_cover ? kCoveringFactor : kOpeningFactor) * radii) {
+  if (motion_radius > opening(pass.extent, between, radii) * radii) {
     pass.out.pairs.push_back({obstacle, robot, 0});
     const double inner = a.inner_radius + b.inner_radius;
     result.separation = std::min(result.separation, pdg::norm(between) - 0.5 * (radii + inner));

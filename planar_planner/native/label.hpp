@@ -64,6 +64,7 @@ class Labeller {
   bool visit_node(Pass& pass, std::uint32_t node);
   bool apart_from_hull(Pass& pass, std::uint32_t node);
   bool visit_piece(Pass& pass, std::uint32_t piece);
+  [[nodiscard]] double opening(Vec2 extent, Vec2 between, double radii) const;
   bool visit_closed_pair(Pass& pass, std::uint32_t obstacle, std::uint16_t robot);
   bool judge(Pass& pass, std::uint32_t obstacle, std::uint16_t robot,
              std::span<const pdg::Constraint> active);
