@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace planner {
 
@@ -145,11 +146,27 @@ void Refinement::exhaust(const CellId cell) {
   search_.on_exhausted(cell);
 }
 
+// Shall all links of the next channel be tested, or only those up to the first that fails? Along a
+// long way finding the channel again after each failure costs the square of its length; near a
+// bottleneck that is about to close the others are split in vain, and mending the search for them
+// costs far more than for one. So all are tested whenever testing single ones has cost the search
+// as many steps as testing all did the last time: at most twice the work of the better way.
+bool Refinement::time_for_all_links() {
+  const std::uint64_t steps = statistics_.search_expansions;
+  const std::uint64_t since = steps - std::exchange(link_steps_.before, steps);
+  if (link_steps_.tested_all)
+    link_steps_.after_all = since, link_steps_.after_single = 0;
+  else
+    link_steps_.after_single += since;
+  link_steps_.tested_all = link_steps_.after_single >= link_steps_.after_all;
+  return link_steps_.tested_all;
+}
+
 // Proves the links of a solid channel. False if some failed, or a limit struck: the graph has
-// changed. All are tested, and all that failed are dealt with at once: along a long way finding the
-// channel again after each would cost the square of its length.
+// changed.
 bool Refinement::link(const std::vector<CellId>& channel) {
   connectors_.clear();
+  const bool all = time_for_all_links();
   std::vector<std::pair<CellId, CellId>> blocked, doubtful;
   for (std::size_t i = 0; i + 1 < channel.size(); ++i) {
     if (stop()) return false;
@@ -160,6 +177,7 @@ bool Refinement::link(const std::vector<CellId>& channel) {
     }
     (link.state == LinkState::kBlocked ? blocked : doubtful)
         .emplace_back(channel[i], channel[i + 1]);
+    if (!all) break;
   }
   for (const auto& [a, b] : blocked) {
     subdivision_.disconnect(a, b);

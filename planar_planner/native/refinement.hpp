@@ -36,6 +36,7 @@ class Refinement {
   [[nodiscard]] bool solid(const std::vector<CellId>& channel) const;
   [[nodiscard]] std::vector<CellId> all_cells() const;
   bool split_mixed(const std::vector<CellId>& channel);
+  bool time_for_all_links();
   bool link(const std::vector<CellId>& channel);
   void resolve_doubts(const std::vector<std::pair<CellId, CellId>>& links);
   CellId resolve_doubt(CellId a, CellId b);
@@ -57,6 +58,12 @@ class Refinement {
   std::optional<GoalCells> goals_;                         // of the region, if there is one
   ChannelSearch search_;
   std::vector<Connector> connectors_;
+  // Steps of the search: before the last channel was linked, after all links of one were tested,
+  // and since then after single ones.
+  struct {
+    std::uint64_t before = 0, after_all = 0, after_single = 0;
+    bool tested_all = true;
+  } link_steps_;
   RidgeAttempts ridge_;
 };
 
