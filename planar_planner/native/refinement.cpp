@@ -150,7 +150,8 @@ void Refinement::exhaust(const CellId cell) {
 // long way finding the channel again after each failure costs the square of its length; near a
 // bottleneck that is about to close the others are split in vain, and mending the search for them
 // costs far more than for one. So all are tested whenever testing single ones has cost the search
-// as many steps as testing all did the last time: at most twice the work of the better way.
+// as many steps as testing all did the last time. Steps of the search only: going along the channel
+// is not counted, which tells on channels of 10^5 cells (docs/benchmarks.md).
 bool Refinement::time_for_all_links() {
   const std::uint64_t steps = statistics_.search_expansions;
   const std::uint64_t since = steps - std::exchange(link_steps_.before, steps);

