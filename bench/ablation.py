@@ -24,8 +24,8 @@ from provenance import RESULTS, print_provenance, use_one_core, write_csv
 from shipped import with_point_goals
 
 from planar_planner import Options, load_scene
-from planar_planner.builtin import manifest
-from planar_planner.problem import make_problem
+from planar_planner.problem.make import make_problem
+from planar_planner.scene.builtin import manifest
 
 GEAR = "gear"
 PUBLISHED = (

@@ -22,10 +22,10 @@ from scale_parts import worlds
 from scale_parts.families import GEAR_CRITICAL
 
 from planar_planner import Options, load_scene, solve
-from planar_planner.builtin import manifest
-from planar_planner.core import ask, make_core
-from planar_planner.planner import SceneLike
-from planar_planner.problem import make_problem
+from planar_planner.planning.engine import ask, make_core
+from planar_planner.planning.planner import SceneLike
+from planar_planner.problem.make import make_problem
+from planar_planner.scene.builtin import manifest
 from scenarios import corner, field, gear, maze
 from scenarios.model import Scene
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "planar_planner/native/planner.hpp"
+#include "planar_planner/native/planning/planner.hpp"
 
 namespace {
 

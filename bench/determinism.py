@@ -20,9 +20,9 @@ from typing import Any
 import provenance
 
 from planar_planner import load_scene
-from planar_planner.builtin import manifest
-from planar_planner.goal import Goal, GoalRegion
-from planar_planner.problem import Polygons, make_problem
+from planar_planner.problem.goal import Goal, GoalRegion
+from planar_planner.problem.make import Polygons, make_problem
+from planar_planner.scene.builtin import manifest
 
 MAX_CELLS = 20_000
 COMPILERS = ("g++", "clang++")

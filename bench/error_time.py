@@ -24,8 +24,8 @@ from error_time_parts.sampling import sweep_sampler
 from error_time_parts.sweep import OURS, PARTS, Effort, Point, WrongVerdictError, sweep
 from provenance import print_provenance, write_csv
 
-from planar_planner.compare import Settings
-from planar_planner.samplers import DEFAULT_SAMPLERS
+from planar_planner.ompl.compare import Settings
+from planar_planner.ompl.samplers import DEFAULT_SAMPLERS
 
 DISTANCES = [10.0 ** (-0.5 * k) for k in range(2, 25)]
 DECADES = DISTANCES[::2]

@@ -18,7 +18,7 @@ with atheris.instrument_imports(include=["planar_planner"]):
     from stress_parts.hostile_mutations import mutated, read_certificate, read_scene
 
     from planar_planner import Planner, SceneError, load_scene
-    from planar_planner.scene import parse
+    from planar_planner.scene.json_file import parse
 
 LIBFUZZER = ["-timeout=60", "-rss_limit_mb=2048", "-max_len=100000"]  # before what is given
 BYTES = 0.2  # of the changes are those of libFuzzer, which knows no JSON

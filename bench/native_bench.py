@@ -17,7 +17,7 @@ from typing import Any
 from provenance import ROOT
 
 from planar_planner import load_scene
-from planar_planner.problem import Polygons, Problem, make_problem, point_goal
+from planar_planner.problem.make import Polygons, Problem, make_problem, point_goal
 
 SOURCE = ROOT / "bench" / "native"
 

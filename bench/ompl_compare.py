@@ -41,9 +41,11 @@ from ompl_table import (
 from provenance import RESULTS, print_provenance, write_csv
 from shipped import with_point_goals
 
-from planar_planner.builtin import manifest
-from planar_planner.command_arguments.importing import add_importing, import_options
-from planar_planner.compare import (
+from planar_planner.cli.arguments.importing import add_importing, import_options
+from planar_planner.errors import OptionsError, SceneError
+from planar_planner.formats.parts import ImportOptions
+from planar_planner.load import load_scene
+from planar_planner.ompl.compare import (
     SamplerRun,
     Settings,
     check_scene,
@@ -51,12 +53,10 @@ from planar_planner.compare import (
     run_samplers,
     sampler_run,
 )
-from planar_planner.comparison import aligned
-from planar_planner.errors import OptionsError, SceneError
-from planar_planner.formats.parts import ImportOptions
-from planar_planner.judge import Judge
-from planar_planner.samplers import INSTALL_HINT
-from planar_planner.scene import load_scene
+from planar_planner.ompl.comparison import aligned
+from planar_planner.ompl.samplers import INSTALL_HINT
+from planar_planner.planning.path_judge import Judge
+from planar_planner.scene.builtin import manifest
 
 WHEEL_PLANNERS = ("RRTConnect", "PRM", "KPIECE1", "BITstar")
 RESOLUTIONS = (0.01, 0.002)

@@ -12,9 +12,9 @@ from typing import Any
 
 from provenance import ROOT
 
-from planar_planner.fields import Box, Configuration
-from planar_planner.judge import unwrapped
-from planar_planner.problem import Polygons, Problem, point_goal
+from planar_planner.planning.path_judge import unwrapped
+from planar_planner.problem.make import Polygons, Problem, point_goal
+from planar_planner.scene.fields import Box, Configuration
 
 PLANNERS = ("RRTConnect", "PRM", "KPIECE1", "EST")
 SOURCE = Path(__file__).parent / "ompl_native"

@@ -10,8 +10,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from ompl_table import SOUND, Entry
 
-from planar_planner.comparison import spread
-from planar_planner.comparison_plot import COLOURS, OURS
+from planar_planner.ompl.comparison import spread
+from planar_planner.pictures.comparison import COLOURS, OURS
 
 MS = 1e3
 ROW_HEIGHT = 0.28  # inches

@@ -7,8 +7,8 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from planar_planner.compare import OurRun, SamplerRun
-from planar_planner.comparison import Rows, spread
+from planar_planner.ompl.compare import OurRun, SamplerRun
+from planar_planner.ompl.comparison import Rows, spread
 
 SOUND = 0.95  # least share of sound paths with which a time counts
 MS = 1e3

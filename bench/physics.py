@@ -21,12 +21,12 @@ from shipped import with_point_goals
 
 import pdg
 from planar_planner import load_scene, solve
-from planar_planner.core import make_core
 from planar_planner.physics import push, replay
 from planar_planner.physics.contacts import reported, touched
 from planar_planner.physics.replay import outside, problem_of
 from planar_planner.physics.world import engine_name, make_world, rounding
-from planar_planner.problem import ends
+from planar_planner.planning.engine import make_core
+from planar_planner.problem.make import ends
 
 SECONDS, TRIES, SEED = 20.0, 4, 0
 PAIRS, PLACES = 400, 150

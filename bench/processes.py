@@ -41,7 +41,7 @@ def import_time() -> Spread:
 def heavy_modules(*arguments: str) -> list[str]:
     """Which of matplotlib and scipy a command imports."""
     code = (
-        "import sys; from planar_planner.cli import main; "
+        "import sys; from planar_planner.cli.main import main; "
         f"main({list(arguments)!r}); "
         "print([m for m in ('matplotlib', 'scipy') if m in sys.modules], file=sys.stderr)"
     )

@@ -107,7 +107,8 @@ def _installed_differs() -> bool:
         if spec is None or spec.origin is None:
             raise SystemExit("install the package first: pip install .")
         for file in Path(spec.origin).parent.rglob("*.py"):
-            source = ROOT / package / file.relative_to(Path(spec.origin).parent)
+            beside = file.relative_to(Path(spec.origin).parent)
+            source = ROOT / package / "python" / package / beside
             if not source.is_file() or source.read_bytes() != file.read_bytes():
                 return True
     return False

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from planar_planner import load_scene
-from planar_planner.builtin import manifest
+from planar_planner.scene.builtin import manifest
 
 
 def with_point_goals() -> dict[str, Mapping[str, Any]]:

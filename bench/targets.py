@@ -16,7 +16,7 @@ from provenance import print_provenance, use_one_core, write_csv
 from target_scenes import JAMMED_GATES, bisect
 from timing import Measured, Spread, measure
 
-from planar_planner.builtin import manifest
+from planar_planner.scene.builtin import manifest
 from scenarios import corner, field, gear
 
 MS = 1e3

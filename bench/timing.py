@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from planar_planner import Options, Planner, Scene, load_scene
-from planar_planner.result import Result
+from planar_planner.planning.result import Result
 
 BUDGET = 0.4  # seconds of repetitions for each figure
 FEWEST, MOST = 5, 60

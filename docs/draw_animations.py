@@ -15,10 +15,10 @@ from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 
 from planar_planner import Planner
-from planar_planner.animation.film import write_film
-from planar_planner.animation.material import Material, gather
-from planar_planner.animation.pace import Pace
-from planar_planner.animation.page import write_page
+from planar_planner.films.film import write_film
+from planar_planner.films.material import Material, gather
+from planar_planner.films.pace import Pace
+from planar_planner.films.page import write_page
 
 PICTURES = Path(__file__).parent / "pictures"
 WINDOW = (1180, 640)

@@ -9,8 +9,8 @@ from pathlib import Path
 from small_picture import save_small
 
 from planar_planner import load_scene, solve
-from planar_planner.builtin import manifest
-from planar_planner.plot import draw_scene
+from planar_planner.pictures import draw_scene
+from planar_planner.scene.builtin import manifest
 
 PICTURES = Path(__file__).parent / "pictures"
 DPI = 90  # enough for a screen, small files

@@ -4,8 +4,8 @@ import math
 from pathlib import Path
 
 from planar_planner import Planner
+from planar_planner.pictures import save_picture
 from planar_planner.pictures.views import draw_view
-from planar_planner.plot import save_picture
 
 PICTURES = Path(__file__).parent / "pictures"
 DPI = 80  # enough for a screen, small files

@@ -5,7 +5,7 @@ from pathlib import Path
 from matplotlib.figure import Figure
 from PIL import Image
 
-from planar_planner.plot import save_picture
+from planar_planner.pictures import save_picture
 
 COLOURS = 240  # of flat shapes and their soft edges; a palette is a third of the bytes
 

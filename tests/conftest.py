@@ -101,7 +101,13 @@ def fake_core(monkeypatch: pytest.MonkeyPatch) -> type[FakeCore]:
     vars(module)["Core"] = core
     monkeypatch.setitem(sys.modules, "planar_planner._core", module)
     # modules that took the real class by name are imported anew, with the stand-in
-    for name in ("core", "placement", "planner", "commands.solve"):
+    for name in (
+        "planning.engine",
+        "planning.placement",
+        "planning.planner",
+        "cli.commands.solve",
+        "cli.commands.check",
+    ):
         monkeypatch.delitem(sys.modules, f"planar_planner.{name}", raising=False)
     import planar_planner
 

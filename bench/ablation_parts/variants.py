@@ -10,15 +10,15 @@ from typing import Any
 from timing import Spread, repetitions
 
 from planar_planner import Options
-from planar_planner.core import ask, make_core
-from planar_planner.problem import Problem
+from planar_planner.planning.engine import ask, make_core
+from planar_planner.problem.make import Problem
 
 FEWEST, MOST = 3, 15
 
 
 @dataclass(frozen=True)
 class Variant:
-    """Parts left out by name (native/parts.hpp), and the query that culls cells."""
+    """Parts left out by name (native/ablation.hpp), and the query that culls cells."""
 
     name: str
     without: tuple[str, ...] = ()

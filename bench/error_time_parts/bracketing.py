@@ -1,7 +1,7 @@
 """The gears' critical gap: bracketed by our own planner, with certificates checked independently.
 
 No formula is known. Nothing here is taken on trust: both ends of the bracket come with a
-certificate that `planar_planner.verify`, which shares no code with the planner, accepts.
+certificate that `planar_planner.checker`, which shares no code with the planner, accepts.
 """
 
 from __future__ import annotations

@@ -12,8 +12,8 @@ from timing import Spread
 
 from error_time_parts.sweep import Point
 from error_time_parts.truths import Truth
-from planar_planner.compare import SamplerRun, Settings, check_scene, run_samplers
-from planar_planner.judge import Judge
+from planar_planner.ompl.compare import SamplerRun, Settings, check_scene, run_samplers
+from planar_planner.planning.path_judge import Judge
 
 
 def sweep_sampler(

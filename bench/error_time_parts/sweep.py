@@ -12,8 +12,8 @@ from timing import Spread, repetitions
 
 from error_time_parts.truths import SIDES, Side, Truth
 from planar_planner import Options, load_scene
-from planar_planner.core import ask, make_core
-from planar_planner.problem import Problem, make_problem
+from planar_planner.planning.engine import ask, make_core
+from planar_planner.problem.make import Problem, make_problem
 
 # The finest that doubles allow: at the default resolution the band begins at some 1e-10.
 RESOLUTION = 1e-15
@@ -34,7 +34,7 @@ PARTS: dict[str, tuple[tuple[str, ...], str]] = {
     # [NOPATH] with [STAR]: star-shaped cells and the scalar query, refined level by level.
     "as published": (("joint", "guided", "cheap", "incremental", "ridge"), "published"),
 }
-"""What is left out, and the C-obstacle query (planar_planner/native/parts.hpp), by name."""
+"""What is left out, and the C-obstacle query (planar_planner/native/ablation.hpp), by name."""
 
 NEVER = Spread(math.inf, math.inf, math.inf, 1)
 FAILURES = 2  # undecided distances in a row after which a side is given up

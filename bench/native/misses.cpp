@@ -1,6 +1,6 @@
 #include "misses.hpp"
 
-#include "planar_planner/native/nearby.hpp"
+#include "planar_planner/native/configurations/nearby.hpp"
 
 namespace bench {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "pdg/native/motion_bound.hpp"
-#include "planar_planner/native/nearby.hpp"
+#include "pdg/native/geometry/motion_bound.hpp"
+#include "planar_planner/native/configurations/nearby.hpp"
 
 namespace bench {
 

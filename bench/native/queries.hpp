@@ -11,11 +11,11 @@
 #include <memory>
 #include <vector>
 
-#include "planar_planner/native/cell.hpp"
-#include "planar_planner/native/joint.hpp"
-#include "planar_planner/native/label.hpp"
-#include "planar_planner/native/problem.hpp"
-#include "planar_planner/native/star.hpp"
+#include "planar_planner/native/configurations/dyadic_box.hpp"
+#include "planar_planner/native/labels/joint.hpp"
+#include "planar_planner/native/labels/label.hpp"
+#include "planar_planner/native/labels/star.hpp"
+#include "planar_planner/native/world/problem.hpp"
 
 namespace bench {
 

@@ -3,7 +3,7 @@
 
 #include <iosfwd>
 
-#include "planar_planner/native/scene.hpp"
+#include "planar_planner/native/world/scene.hpp"
 
 namespace bench {
 

@@ -2,11 +2,11 @@
 
 #include <memory>
 
-#include "planar_planner/native/face.hpp"
-#include "planar_planner/native/query.hpp"
-#include "planar_planner/native/refinement.hpp"
-#include "planar_planner/native/segment.hpp"
-#include "planar_planner/native/subdivision.hpp"
+#include "planar_planner/native/cells/face.hpp"
+#include "planar_planner/native/cells/subdivision.hpp"
+#include "planar_planner/native/paths/segment.hpp"
+#include "planar_planner/native/search/query.hpp"
+#include "planar_planner/native/search/refinement.hpp"
 
 namespace bench {
 

@@ -27,8 +27,8 @@
 #include <utility>
 #include <vector>
 
-#include "planar_planner/native/problem.hpp"
-#include "planar_planner/native/state_check.hpp"
+#include "planar_planner/native/paths/state_check.hpp"
+#include "planar_planner/native/world/problem.hpp"
 
 namespace {
 

@@ -40,8 +40,8 @@ def measure(family: str, value: float, timeout: float) -> dict[str, Any]:
 def here(family: str, value: float, timeout: float) -> dict[str, Any]:
     """Measure the point in this process; seconds are of the processor."""
     from planar_planner import Options, load_scene
-    from planar_planner.core import ask, make_core
-    from planar_planner.problem import make_problem
+    from planar_planner.planning.engine import ask, make_core
+    from planar_planner.problem.make import make_problem
     from scale_parts.families import families
 
     make = next(each.make for each in families() if each.name == family)

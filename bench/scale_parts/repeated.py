@@ -10,9 +10,9 @@ from itertools import pairwise
 from timing import Spread
 
 from planar_planner import Planner
-from planar_planner.judge import Judge
-from planar_planner.problem import Problem
-from planar_planner.scene import Scene
+from planar_planner.planning.path_judge import Judge
+from planar_planner.problem.make import Problem
+from planar_planner.scene.model import Scene
 
 SEED = 5
 

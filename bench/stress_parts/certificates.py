@@ -6,9 +6,10 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
-from planar_planner.certificate_form import CertificateError
-from planar_planner.result import Result
-from planar_planner.verify import Rejected, verify_certificate
+from planar_planner.checker.case import Rejected
+from planar_planner.checker.form import CertificateError
+from planar_planner.checker.verify import verify_certificate
+from planar_planner.planning.result import Result
 
 
 def certificate_failure(

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from planar_planner import Options, Planner, SceneError
-from planar_planner.result import Result
+from planar_planner.planning.result import Result
 from stress_parts.certificates import certificate_failure
 
 Scene = dict[str, Any]

@@ -12,7 +12,7 @@ import random
 from collections.abc import Iterator
 
 from planar_planner import Options, load_scene
-from planar_planner.builtin import manifest
+from planar_planner.scene.builtin import manifest
 from scenarios import bug_trap
 from stress_parts.common import Row, Scene, Settings, expect, kept
 from stress_parts.families import families, plain

@@ -42,7 +42,7 @@ UNLIMITED = "resolution=1e-300, max_cells=10**10, max_memory=2**40"
 # Says when it is ready to be interrupted: before that the interpreter itself is starting.
 _COMMAND = (
     "import sys\n"
-    "from planar_planner.cli import main\n"
+    "from planar_planner.cli.main import main\n"
     "print('ready', file=sys.stderr, flush=True)\n"
     "sys.exit(main())\n"
 )
@@ -71,7 +71,7 @@ print(json.dumps([starved, again, fresh]))
 _STARVED_COMMAND = """
 import resource, sys
 import numpy, shapely
-import planar_planner.commands.solve, planar_planner.planner
+import planar_planner.cli.commands.solve, planar_planner.planning.planner
 from planar_planner.cli import main
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 resource.setrlimit(resource.RLIMIT_AS, (used + int(sys.argv.pop(1)), resource.RLIM_INFINITY))

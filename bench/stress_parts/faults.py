@@ -17,8 +17,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from planar_planner import Options, Planner, load_scene
-from planar_planner.result import Result
-from planar_planner.scene import Scene
+from planar_planner.planning.result import Result
+from planar_planner.scene.model import Scene
 from scenarios import maze
 from stress_parts import fault_files, fault_processes
 from stress_parts.certificates import certificate_failure

@@ -17,9 +17,10 @@ from types import FrameType
 from typing import Any
 
 from planar_planner import Planner, SceneError, load_scene
-from planar_planner.certificate_form import CertificateError
-from planar_planner.problem import make_problem
-from planar_planner.verify import Rejected, verify_certificate
+from planar_planner.checker.case import Rejected
+from planar_planner.checker.form import CertificateError
+from planar_planner.checker.verify import verify_certificate
+from planar_planner.problem.make import make_problem
 from stress_parts.common import Row, Settings, fail
 
 PART = "hostile"

@@ -18,7 +18,7 @@ def test_scenes_are_handed_over_exactly() -> None:
     from native_bench import as_numbers
 
     from planar_planner import load_scene
-    from planar_planner.problem import make_problem
+    from planar_planner.problem.make import make_problem
 
     problem = make_problem(load_scene("field"))
     words = as_numbers(problem).split()

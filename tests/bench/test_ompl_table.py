@@ -18,7 +18,7 @@ from ompl_table import (
     verdict_rows,
 )
 
-from planar_planner.compare import OurRun, SamplerRun
+from planar_planner.ompl.compare import OurRun, SamplerRun
 
 
 def sampler(planner: str, preparing: float, solving: float, **changes: Any) -> Entry:

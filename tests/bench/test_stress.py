@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from planar_planner import NoPath, Options, PathFound, SceneError, Undecided
-from planar_planner.result import Result
+from planar_planner.planning.result import Result
 
 PARTS = ("invariance", "random_scenes", "contact", "critical", "false_no_path")
 CERTIFIED = ("random_scenes", "contact", "critical")

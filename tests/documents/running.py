@@ -24,7 +24,7 @@ from pathlib import Path
 from typing import Any
 
 from documents.fenced import Block
-from planar_planner.cli import main
+from planar_planner.cli.main import main
 
 COMMANDS = ("planar-planner ",)
 NOT_RUN = {"", "bibtex", "cpp", "json", "text", "toml", "yaml"}

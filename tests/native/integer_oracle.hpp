@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "pdg/native/polygon.hpp"
+#include "pdg/native/geometry/polygon.hpp"
 
 namespace oracle {
 

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "pdg/native/decompose.hpp"
-#include "planar_planner/native/label.hpp"
-#include "planar_planner/native/problem.hpp"
-#include "planar_planner/native/subdivision.hpp"
+#include "pdg/native/pieces/decompose.hpp"
+#include "planar_planner/native/cells/subdivision.hpp"
+#include "planar_planner/native/labels/label.hpp"
+#include "planar_planner/native/world/problem.hpp"
 #include "random_polygons.hpp"
 
 namespace worlds {

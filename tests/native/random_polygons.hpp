@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "pdg/native/polygon.hpp"
+#include "pdg/native/geometry/polygon.hpp"
 
 namespace fuzz {
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "integer_oracle.hpp"
-#include "pdg/native/decompose.hpp"
-#include "pdg/native/triangulate.hpp"
+#include "pdg/native/pieces/decompose.hpp"
+#include "pdg/native/triangulation/triangulate.hpp"
 #include "random_polygons.hpp"
 
 namespace {

@@ -7,11 +7,11 @@
 #include <set>
 
 #include "integer_oracle.hpp"
-#include "pdg/native/box_tree.hpp"
-#include "pdg/native/c_obstacle_query.hpp"
-#include "pdg/native/displacement.hpp"
-#include "pdg/native/generalized_depth.hpp"
-#include "pdg/native/predicates.hpp"
+#include "pdg/native/depth/displacement.hpp"
+#include "pdg/native/depth/generalized_depth.hpp"
+#include "pdg/native/geometry/box_tree.hpp"
+#include "pdg/native/geometry/predicates.hpp"
+#include "pdg/native/separation/c_obstacle_query.hpp"
 #include "random_polygons.hpp"
 
 namespace {

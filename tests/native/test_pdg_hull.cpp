@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "pdg/native/simplex_planes.hpp"
-#include "pdg/native/simplicial_hull.hpp"
+#include "pdg/native/penetration_distance/simplex_planes.hpp"
+#include "pdg/native/penetration_distance/simplicial_hull.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "integer_oracle.hpp"
-#include "pdg/native/predicates.hpp"
+#include "pdg/native/geometry/predicates.hpp"
 
 namespace {
 

@@ -7,12 +7,12 @@
 #include <random>
 #include <vector>
 
-#include "pdg/native/bracket.hpp"
-#include "pdg/native/convex_hull.hpp"
-#include "pdg/native/enclosing_circle.hpp"
-#include "pdg/native/farthest_point.hpp"
-#include "pdg/native/slice_pieces.hpp"
-#include "pdg/native/turning_core.hpp"
+#include "pdg/native/bounds/bracket.hpp"
+#include "pdg/native/geometry/convex_hull.hpp"
+#include "pdg/native/geometry/enclosing_circle.hpp"
+#include "pdg/native/slices/farthest_point.hpp"
+#include "pdg/native/slices/slice_pieces.hpp"
+#include "pdg/native/slices/turning_core.hpp"
 #include "random_polygons.hpp"
 
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "integer_oracle.hpp"
-#include "pdg/native/insertion_order.hpp"
-#include "pdg/native/predicates.hpp"
-#include "pdg/native/triangulate_points.hpp"
+#include "pdg/native/geometry/predicates.hpp"
+#include "pdg/native/triangulation/insertion_order.hpp"
+#include "pdg/native/triangulation/triangulate_points.hpp"
 #include "random_polygons.hpp"
 
 namespace {

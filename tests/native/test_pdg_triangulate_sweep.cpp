@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "integer_oracle.hpp"
-#include "pdg/native/triangulate_sweep.hpp"
+#include "pdg/native/triangulation/triangulate_sweep.hpp"
 #include "random_polygons.hpp"
 
 namespace {

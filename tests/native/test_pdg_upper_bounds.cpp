@@ -6,10 +6,10 @@
 #include <random>
 #include <vector>
 
-#include "pdg/native/containment.hpp"
-#include "pdg/native/convex_hull.hpp"
-#include "pdg/native/depth_upper_bound.hpp"
-#include "pdg/native/enclosing_circle.hpp"
+#include "pdg/native/bounds/containment.hpp"
+#include "pdg/native/bounds/depth_upper_bound.hpp"
+#include "pdg/native/geometry/convex_hull.hpp"
+#include "pdg/native/geometry/enclosing_circle.hpp"
 
 namespace {
 

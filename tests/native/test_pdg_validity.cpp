@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "pdg/native/predicates.hpp"
-#include "pdg/native/validity.hpp"
+#include "pdg/native/geometry/predicates.hpp"
+#include "pdg/native/pieces/validity.hpp"
 
 namespace {
 

@@ -4,10 +4,10 @@
 
 #include <set>
 
-#include "planar_planner/native/adjacency.hpp"
-#include "planar_planner/native/barrier.hpp"
-#include "planar_planner/native/minimum_cut.hpp"
-#include "planar_planner/native/planner.hpp"
+#include "planar_planner/native/cells/adjacency.hpp"
+#include "planar_planner/native/evidence/barrier.hpp"
+#include "planar_planner/native/evidence/minimum_cut.hpp"
+#include "planar_planner/native/planning/planner.hpp"
 #include "planner_worlds.hpp"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <functional>
 #include <optional>
 
-#include "planar_planner/native/joint.hpp"
-#include "planar_planner/native/star.hpp"
+#include "planar_planner/native/labels/joint.hpp"
+#include "planar_planner/native/labels/star.hpp"
 #include "planner_worlds.hpp"
 
 namespace {

@@ -2,9 +2,9 @@
 // promise.
 #include <gtest/gtest.h>
 
-#include "planar_planner/native/collision.hpp"
-#include "planar_planner/native/planner.hpp"
-#include "planar_planner/native/rrt_connect.hpp"
+#include "planar_planner/native/guesses/rrt_connect.hpp"
+#include "planar_planner/native/paths/collision.hpp"
+#include "planar_planner/native/planning/planner.hpp"
 #include "planner_worlds.hpp"
 
 namespace {

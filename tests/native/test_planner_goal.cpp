@@ -7,8 +7,8 @@
 #include <random>
 #include <utility>
 
-#include "planar_planner/native/goal_region.hpp"
-#include "planar_planner/native/pose.hpp"
+#include "planar_planner/native/configurations/goal_region.hpp"
+#include "planar_planner/native/configurations/pose.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // FREE and FULL against long-double separations inside the closed cell, sought by pattern search.
 #include <gtest/gtest.h>
 
-#include "planar_planner/native/joint.hpp"
+#include "planar_planner/native/labels/joint.hpp"
 #include "planner_worlds.hpp"
 
 namespace {

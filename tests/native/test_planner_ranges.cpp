@@ -2,7 +2,7 @@
 // long double.
 #include <gtest/gtest.h>
 
-#include "pdg/native/separation.hpp"
+#include "pdg/native/separation/separation.hpp"
 #include "pdg/native/tolerances.hpp"
 #include "planner_worlds.hpp"
 

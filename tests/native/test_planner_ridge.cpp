@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "planar_planner/native/max_min.hpp"
-#include "planar_planner/native/ridge.hpp"
+#include "planar_planner/native/guesses/max_min.hpp"
+#include "planar_planner/native/guesses/ridge.hpp"
 #include "planner_worlds.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <queue>
 #include <set>
 
-#include "planar_planner/native/channel.hpp"
+#include "planar_planner/native/search/channel.hpp"
 #include "planner_worlds.hpp"
 
 namespace {

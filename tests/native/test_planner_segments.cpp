@@ -1,8 +1,8 @@
 // Certified straight motions against dense samples and a pattern search along them, in long double.
 #include <gtest/gtest.h>
 
-#include "planar_planner/native/clearance.hpp"
-#include "planar_planner/native/segment.hpp"
+#include "planar_planner/native/paths/clearance.hpp"
+#include "planar_planner/native/paths/segment.hpp"
 #include "planner_worlds.hpp"
 
 namespace {

@@ -1,7 +1,7 @@
 // Queries whose answer is known by hand: ends in one leaf, tiny and wrapped domains, limits.
 #include <gtest/gtest.h>
 
-#include "planar_planner/native/planner.hpp"
+#include "planar_planner/native/planning/planner.hpp"
 #include "planner_worlds.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 // dense long-double samples.
 #include <gtest/gtest.h>
 
-#include "planar_planner/native/face.hpp"
+#include "planar_planner/native/cells/face.hpp"
 #include "planner_worlds.hpp"
 
 namespace {

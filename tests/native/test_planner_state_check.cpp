@@ -2,9 +2,9 @@
 // in long double.
 #include <gtest/gtest.h>
 
-#include "planar_planner/native/placement.hpp"
-#include "planar_planner/native/pose.hpp"
-#include "planar_planner/native/state_check.hpp"
+#include "planar_planner/native/configurations/pose.hpp"
+#include "planar_planner/native/paths/placement.hpp"
+#include "planar_planner/native/paths/state_check.hpp"
 #include "planner_worlds.hpp"
 
 namespace {

@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "pdg/native/c_obstacle_query.hpp"
-#include "planar_planner/native/planner.hpp"
+#include "pdg/native/separation/c_obstacle_query.hpp"
+#include "planar_planner/native/planning/planner.hpp"
 
 namespace {
 

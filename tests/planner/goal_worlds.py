@@ -10,8 +10,8 @@ import shapely
 from shapely.affinity import affine_transform
 
 from planar_planner import Options, Planner
-from planar_planner.result import Result
-from planar_planner.verify import verify_certificate
+from planar_planner.checker.verify import verify_certificate
+from planar_planner.planning.result import Result
 
 Scene = dict[str, Any]
 LIMITS = Options(timeout=20.0)

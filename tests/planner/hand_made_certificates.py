@@ -6,9 +6,9 @@ import copy
 from math import cos, pi, sin
 from typing import Any
 
-from planar_planner.fingerprint import fingerprint
-from planar_planner.problem import make_problem
-from planar_planner.scene import load_scene
+from planar_planner.load import load_scene
+from planar_planner.problem.fingerprint import fingerprint
+from planar_planner.problem.make import make_problem
 
 Json = dict[str, Any]
 

@@ -8,8 +8,8 @@ import pytest
 from conftest import square
 
 from planar_planner.errors import SceneError
-from planar_planner.problem import Problem, make_problem
-from planar_planner.scene import load_scene
+from planar_planner.load import load_scene
+from planar_planner.problem.make import Problem, make_problem
 
 
 def problem_of(content: dict[str, Any]) -> Problem:

@@ -10,13 +10,12 @@ import numpy as np
 import pytest
 
 from planar_planner import Planner, load_scene
-from planar_planner.animation.material import gather
-from planar_planner.animation.pace import Pace
-from planar_planner.animation.page import write_page
-from planar_planner.cells import LABELS, theta_slice
-from planar_planner.label_colours import LABEL_COLOURS
-from planar_planner.motion import configurations_at, reach, travel
-from planar_planner.plot import MIDWAY
+from planar_planner.explain.cells import LABEL_COLOURS, LABELS, theta_slice
+from planar_planner.films.material import gather
+from planar_planner.films.pace import Pace
+from planar_planner.films.page import write_page
+from planar_planner.pictures import MIDWAY
+from planar_planner.planning.path_samples import configurations_at, reach, travel
 
 chromium = pytest.importorskip("chromium", reason="needs selenium: pip install selenium")
 

@@ -16,14 +16,14 @@ import pytest
 from goal_worlds import slot
 
 from planar_planner import Planner, load_scene
-from planar_planner.animation import cell_bytes
-from planar_planner.animation.cell_bytes import packed_cells
-from planar_planner.animation.film import film_frames
-from planar_planner.animation.material import Material, gather
-from planar_planner.animation.pace import Pace
-from planar_planner.animation.page import page_text, write_page
-from planar_planner.cells import LABELS, theta_slice
 from planar_planner.errors import OptionsError
+from planar_planner.explain.cells import LABELS, theta_slice
+from planar_planner.films import cell_bytes
+from planar_planner.films.cell_bytes import packed_cells
+from planar_planner.films.film import film_frames
+from planar_planner.films.material import Material, gather
+from planar_planner.films.pace import Pace
+from planar_planner.films.page import page_text, write_page
 
 NAMES = ("</script><script>alert(1)</script>", "<!-- <script>", '$title & "quotes"', "a\nb")
 
@@ -105,7 +105,7 @@ def test_only_its_own_script_and_style_may_run(gear: Material) -> None:
 
 def test_every_part_of_the_player_is_in_the_page(gear: Material) -> None:
     text = page_text(gear, Pace())
-    parts = [p for p in (files("planar_planner.animation") / "player").iterdir() if p.is_file()]
+    parts = [p for p in (files("planar_planner.films") / "player").iterdir() if p.is_file()]
     assert len(parts) >= 10
     for part in parts:
         if not part.name.endswith(".html"):

@@ -11,8 +11,8 @@ from conftest import FakeCore
 
 import planar_planner
 from planar_planner import Cells, Planner, cells_of, cells_on_path, load_scene, theta_slice
-from planar_planner.cells import FREE, FULL, LABELS
-from planar_planner.plot import placed, polygon_paths
+from planar_planner.explain.cells import FREE, FULL, LABELS
+from planar_planner.pictures import placed, polygon_paths
 
 
 def bodies(planner: Planner, q: np.ndarray) -> tuple[shapely.Geometry, shapely.Geometry]:

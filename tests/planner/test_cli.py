@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from conftest import FREE, FakeCore
 
-from planar_planner.cli import main
+from planar_planner.cli.main import main
 
 
 @pytest.fixture
@@ -312,7 +312,7 @@ def test_defect_prints_one_line(
 
 
 def test_list_has_every_scene(capsys: pytest.CaptureFixture[str]) -> None:
-    from planar_planner.builtin import manifest
+    from planar_planner.scene.builtin import manifest
 
     assert main(["list"]) == 0
     heading, *rows = capsys.readouterr().out.splitlines()

@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 from conftest import square
 
-from planar_planner.builtin import manifest
+from planar_planner.scene.builtin import manifest
 
 COMMAND = [sys.executable, "-P", "-m", "planar_planner"]
 ENDLESS = ["--resolution", "1e-300", "--max-cells", "10000000000", "--max-memory", "1T"]

@@ -30,7 +30,7 @@ def run(*arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:
 def test_light_commands_import_nothing_heavy(arguments: list[str]) -> None:
     code = (
         "import sys\n"
-        "from planar_planner.cli import main\n"
+        "from planar_planner.cli.main import main\n"
         f"main({arguments!r})\n"
         "heavy = {'numpy', 'shapely', 'matplotlib', 'scipy', 'planar_planner._core'}\n"
         "sys.exit(len(heavy & set(sys.modules)))\n"
@@ -44,7 +44,7 @@ def test_light_commands_import_nothing_heavy(arguments: list[str]) -> None:
 def test_show_imports_no_pictures() -> None:
     code = (
         "import sys\n"
-        "from planar_planner.cli import main\n"
+        "from planar_planner.cli.main import main\n"
         "assert main(['show', 'gear']) == 0\n"
         "sys.exit(len({'matplotlib', 'scipy'} & set(sys.modules)))\n"
     )

@@ -15,8 +15,8 @@ import pytest
 from pseudo_terminal import on_terminal
 from test_cli_end_to_end import ENDLESS, long_search
 
-from planar_planner import progress as module
-from planar_planner.progress import Progress, counts_text
+from planar_planner.cli import progress as module
+from planar_planner.cli.progress import Progress, counts_text
 
 
 class Terminal(io.StringIO):

@@ -13,9 +13,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planar_planner import compare, load_scene
-from planar_planner.cli import main
-from planar_planner.compare import (
+from planar_planner import load_scene
+from planar_planner.cli.main import main
+from planar_planner.errors import OptionsError
+from planar_planner.ompl import compare
+from planar_planner.ompl.compare import (
     OurRun,
     SamplerRun,
     SceneComparison,
@@ -25,12 +27,11 @@ from planar_planner.compare import (
     run_ours,
     sampler_run,
 )
-from planar_planner.comparison import spread, table, to_json
-from planar_planner.comparison_plot import draw_comparison
-from planar_planner.errors import OptionsError
-from planar_planner.judge import Judge, unwrapped
-from planar_planner.problem import make_problem
-from planar_planner.samplers import INSTALL_HINT, SAMPLERS, check_samplers
+from planar_planner.ompl.comparison import spread, table, to_json
+from planar_planner.ompl.samplers import INSTALL_HINT, SAMPLERS, check_samplers
+from planar_planner.pictures.comparison import draw_comparison
+from planar_planner.planning.path_judge import Judge, unwrapped
+from planar_planner.problem.make import make_problem
 
 
 def judge_of(scene: dict[str, Any]) -> Judge:

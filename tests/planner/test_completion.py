@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from planar_planner.builtin import manifest
-from planar_planner.cli import main
-from planar_planner.command_arguments.completion import SHELLS
-from planar_planner.command_arguments.parser import make_parser
+from planar_planner.cli.commands.completion import SHELLS
+from planar_planner.cli.main import main
+from planar_planner.cli.parser import make_parser
+from planar_planner.scene.builtin import manifest
 
 COMMANDS = {"solve", "check", "verify", "list", "show", "compare", "convert", "completion"}
 FILES = {"gear-scan.json", "map.yaml", "pictures"}

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from planar_planner import Options, load_scene, solve
-from planar_planner.verify import verify_certificate
+from planar_planner.checker.verify import verify_certificate
 
 
 def rectangle(x0: float, y0: float, x1: float, y1: float) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from oracles.decisive import FOLDER, listed
 from random_scenes import random_scene
 
 from planar_planner import Options, Planner, load_scene, solve
-from planar_planner.result import Result
+from planar_planner.planning.result import Result
 
 OPTIONS = Options(max_cells=50_000)
 COUNTS = (

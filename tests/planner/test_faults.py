@@ -13,7 +13,7 @@ import pytest
 from conftest import FakeCore
 
 import planar_planner
-from planar_planner.cli import main
+from planar_planner.cli.main import main
 
 
 class ListenerError(Exception):
@@ -145,7 +145,7 @@ def test_memory_that_runs_out_while_writing_keeps_the_old_file(
 
     file = tmp_path / "out.json"
     file.write_text("old")
-    command = importlib.import_module("planar_planner.commands.solve")
+    command = importlib.import_module("planar_planner.cli.commands.solve")
     monkeypatch.setattr(Path, "write_text", write_text)
     arguments = main.__globals__["parse"](["solve", scene_file, "--json", str(file)])
     with pytest.raises(main.__globals__["OutputError"], match="out of memory"):

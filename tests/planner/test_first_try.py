@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from planar_planner import Options, load_scene, solve
-from planar_planner.builtin import manifest
-from planar_planner.core import ask, make_core
-from planar_planner.problem import make_problem
+from planar_planner.planning.engine import ask, make_core
+from planar_planner.problem.make import make_problem
+from planar_planner.scene.builtin import manifest
 
 BY_TREES = "RRT-Connect"
 CHECKS = 2500  # that one first try may ask for, and

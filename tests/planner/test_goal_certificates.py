@@ -13,10 +13,12 @@ import shapely
 from goal_worlds import Scene, answer, rectangle, slot
 
 from planar_planner import load_scene
-from planar_planner.fingerprint import fingerprint
-from planar_planner.goal_check import GoalArea, in_polygon, meets_box
-from planar_planner.problem import make_problem
-from planar_planner.verify import Rejected, has_angle, verify_certificate
+from planar_planner.checker.absence import has_angle
+from planar_planner.checker.case import Rejected
+from planar_planner.checker.goal_area import GoalArea, in_polygon, meets_box
+from planar_planner.checker.verify import verify_certificate
+from planar_planner.problem.fingerprint import fingerprint
+from planar_planner.problem.make import make_problem
 
 BEYOND = rectangle(7, 2, 9, 8)
 

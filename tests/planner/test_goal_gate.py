@@ -15,11 +15,11 @@ from goal_worlds import cage, rectangle, shape, slot
 from scene_gate import message, problem_of
 
 from planar_planner import Planner, SceneError, load_scene
-from planar_planner.cli import main
-from planar_planner.goal import GoalRegion
-from planar_planner.plot import draw_scene
-from planar_planner.problem import Problem
-from planar_planner.verify import verify_certificate
+from planar_planner.checker.verify import verify_certificate
+from planar_planner.cli.main import main
+from planar_planner.pictures import draw_scene
+from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.make import Problem
 
 BEYOND = rectangle(7, 2, 9, 8)
 

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from planar_planner.cli import main
-from planar_planner.command_arguments.command_parser import CommandParser
-from planar_planner.command_arguments.parser import make_parser
+from planar_planner.cli.command_parser import CommandParser
+from planar_planner.cli.main import main
+from planar_planner.cli.parser import make_parser
 
 EXTRAS = {"compare": "ompl"}  # command → the module that its extra brings
 

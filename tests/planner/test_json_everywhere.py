@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 from test_help import parsers
 
-from planar_planner.builtin import manifest
-from planar_planner.cli import main
+from planar_planner.cli.main import main
+from planar_planner.scene.builtin import manifest
 
 COMMANDS = {
     "solve": ["corner"],

@@ -6,9 +6,9 @@ import math
 from dataclasses import replace
 
 from planar_planner import Options, load_scene, solve
-from planar_planner.core import ask, make_core
 from planar_planner.margins.offset import Offsets
-from planar_planner.problem import make_problem
+from planar_planner.planning.engine import ask, make_core
+from planar_planner.problem.make import make_problem
 from scenarios.model import Scene, box, scene
 
 BAFFLES = 1000

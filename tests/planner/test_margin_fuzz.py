@@ -11,8 +11,8 @@ from random_scenes import random_scene
 
 from planar_planner import Margin, Options, load_scene, margin, solve
 from planar_planner.margins.surroundings import Surroundings, placed, shape_of
-from planar_planner.motion import equal_steps
-from planar_planner.problem import make_problem
+from planar_planner.planning.path_samples import equal_steps
+from planar_planner.problem.make import make_problem
 
 LIMITS = Options(timeout=20.0, max_cells=60_000)
 SLACK = 1e-9  # of GEOS's doubles

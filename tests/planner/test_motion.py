@@ -9,8 +9,14 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from planar_planner import load_scene
-from planar_planner.motion import configurations_at, equal_parts, equal_steps, reach, travel
-from planar_planner.problem import make_problem
+from planar_planner.planning.path_samples import (
+    configurations_at,
+    equal_parts,
+    equal_steps,
+    reach,
+    travel,
+)
+from planar_planner.problem.make import make_problem
 
 PATH = np.array([(1.0, 1.0, 0.0), (4.0, 1.0, 0.0), (4.0, 1.0, 2.0), (4.0, 3.5, -1.0)])
 RADIUS = 0.7

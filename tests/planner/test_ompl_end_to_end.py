@@ -16,17 +16,17 @@ from pathlib import Path
 import pytest
 
 from planar_planner import load_scene
-from planar_planner.cli import main
-from planar_planner.compare import Settings, compare
-from planar_planner.samplers import INSTALL_HINT
+from planar_planner.cli.main import main
+from planar_planner.ompl.compare import Settings, compare
+from planar_planner.ompl.samplers import INSTALL_HINT
 
 needs_ompl = pytest.mark.skipif(importlib.util.find_spec("ompl") is None, reason=INSTALL_HINT)
 
 PREAMBLE = """
 import json, math, sys, time
 from planar_planner.ompl import CompletePlanner, make_sampler, set_up, waypoints_of
-from planar_planner.ompl_setup import base
-from planar_planner.samplers import SAMPLERS, import_ompl
+from planar_planner.ompl.setup import base
+from planar_planner.ompl.samplers import SAMPLERS, import_ompl
 import_ompl("util").setLogLevel(import_ompl("util").LogLevel.LOG_NONE)
 
 def ask(scene, limit=20.0, definition=None, **options):

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from planar_planner.errors import OptionsError
-from planar_planner.options import Options
+from planar_planner.planning.options import Options
 
 
 def test_defaults() -> None:

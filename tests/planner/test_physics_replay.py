@@ -10,12 +10,12 @@ import pytest
 
 import pdg
 from planar_planner import OptionsError, load_scene, solve
-from planar_planner.core import make_core
 from planar_planner.physics import replay
 from planar_planner.physics.contacts import reported, touched
 from planar_planner.physics.replay import outside, problem_of
 from planar_planner.physics.shapes import MOST_VERTICES, obstacle_shapes, robot_shapes
 from planar_planner.physics.world import make_world
+from planar_planner.planning.engine import make_core
 
 Json = dict[str, Any]
 

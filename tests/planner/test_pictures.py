@@ -14,15 +14,9 @@ from matplotlib.patches import Circle
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from planar_planner import Planner, theta_slice
-from planar_planner.cells import FULL, LABELS
-from planar_planner.label_colours import LABEL_COLOURS
-from planar_planner.motion import reach
-from planar_planner.pictures.boxes3d import MOST_BOXES, one_turn
-from planar_planner.pictures.panels import columns_for
-from planar_planner.pictures.slices import passes
-from planar_planner.pictures.style import GOAL, MIDWAY, OBSTACLE, OVERLAP, START
-from planar_planner.pictures.views import ViewError, draw_view
-from planar_planner.plot import (
+from planar_planner.explain.cells import FULL, LABEL_COLOURS, LABELS
+from planar_planner.explain.wall import wall_of
+from planar_planner.pictures import (
     draw_filmstrip,
     draw_scene,
     draw_slices,
@@ -30,8 +24,13 @@ from planar_planner.plot import (
     draw_wall,
     save_picture,
 )
-from planar_planner.result import Result
-from planar_planner.wall import wall_of
+from planar_planner.pictures.boxes3d import MOST_BOXES, one_turn
+from planar_planner.pictures.panels import columns_for
+from planar_planner.pictures.slices import passes
+from planar_planner.pictures.style import GOAL, MIDWAY, OBSTACLE, OVERLAP, START
+from planar_planner.pictures.views import ViewError, draw_view
+from planar_planner.planning.path_samples import reach
+from planar_planner.planning.result import Result
 
 Answered = tuple[Planner, Result]
 

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from matplotlib.collections import PathCollection
 
+from planar_planner.load import load_scene
 from planar_planner.margins.find import margin
-from planar_planner.margins.picture import draw_margin
-from planar_planner.motion import equal_steps
-from planar_planner.plot import draw_scene, polygon_paths, save_picture
-from planar_planner.problem import make_problem
-from planar_planner.result import NoPath, PathFound, Undecided
-from planar_planner.scene import load_scene
+from planar_planner.pictures import draw_scene, polygon_paths, save_picture
+from planar_planner.pictures.margin import draw_margin
+from planar_planner.planning.path_samples import equal_steps
+from planar_planner.planning.result import NoPath, PathFound, Undecided
+from planar_planner.problem.make import make_problem
 
 PATH = np.array([(1.0, 1.0, 0.0), (1.0, 9.0, 1.0), (9.0, 9.0, 0.0)])
 
@@ -82,5 +82,5 @@ def test_a_path_without_motion_is_drawn(scene_dict: dict[str, Any]) -> None:
 
 
 def test_drawing_leaves_pyplot_alone() -> None:
-    code = "import sys, planar_planner.plot; sys.exit('matplotlib.pyplot' in sys.modules)"
+    code = "import sys, planar_planner.pictures; sys.exit('matplotlib.pyplot' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

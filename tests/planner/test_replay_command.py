@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from planar_planner.animation.pace import Pace
-from planar_planner.cli import main
+from planar_planner.cli.main import main
+from planar_planner.films.pace import Pace
+from planar_planner.films.physics import save_replay
 from planar_planner.physics import replay
-from planar_planner.physics.film import save_replay
 from planar_planner.physics.replay import problem_of
 
 

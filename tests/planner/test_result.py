@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planar_planner.report import headline, statistics
-from planar_planner.result import NoPath, PathFound, Undecided, make_result
+from planar_planner.cli.report import headline, statistics
+from planar_planner.planning.result import NoPath, PathFound, Undecided, make_result
 
 
 def answer(verdict: str, **stats: Any) -> dict[str, Any]:

@@ -89,7 +89,7 @@ def test_listener_is_passed_on(fake_core: type[FakeCore], scene_dict: dict[str, 
 
 
 def test_public_functions_say_what_they_take() -> None:
-    from planar_planner.scene import load_scene
+    from planar_planner.load import load_scene
 
     for part in ("Parameters", "Returns", "Raises"):
         assert part in (inspect.getdoc(load_scene) or "")

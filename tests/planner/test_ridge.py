@@ -11,10 +11,10 @@ import pytest
 from random_scenes import random_scene
 
 from planar_planner import Options, load_scene, solve
-from planar_planner.core import ask, make_core
-from planar_planner.planner import Planner
-from planar_planner.problem import make_problem
-from planar_planner.verify import verify_certificate
+from planar_planner.checker.verify import verify_certificate
+from planar_planner.planning.engine import ask, make_core
+from planar_planner.planning.planner import Planner
+from planar_planner.problem.make import make_problem
 
 Point = tuple[float, float]
 ANGLES = (0.4, 1.2, -0.3, 0.7)

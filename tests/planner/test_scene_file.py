@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 import shapely
 
-from planar_planner import builtin, limits
 from planar_planner.errors import SceneError
-from planar_planner.scene import load_scene
+from planar_planner.load import load_scene
+from planar_planner.scene import builtin
+from planar_planner.scene import input_limits as limits
 
 
 def write(folder: Path, text: str | bytes) -> Path:
@@ -99,7 +100,7 @@ def test_missing_file_directory_and_device(tmp_path: Path) -> None:
 
 
 def test_endless_file_is_cut_off(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr("planar_planner.scene.MAX_FILE_BYTES", 100)
+    monkeypatch.setattr("planar_planner.scene.json_file.MAX_FILE_BYTES", 100)
     assert "larger than 100 bytes" in message(write(tmp_path, b" " * 101))
     assert "not JSON" in message(write(tmp_path, b" " * 100))
     assert limits.MAX_FILE_BYTES > 2**26
@@ -138,7 +139,7 @@ def test_many_fields_of_which_one_stands_twice(tmp_path: Path) -> None:
 def test_nesting_that_json_still_reads(
     tmp_path: Path, scene_dict: dict[str, Any], depth: int
 ) -> None:
-    from planar_planner.problem import make_problem
+    from planar_planner.problem.make import make_problem
 
     text = json.dumps(scene_dict | {"robot": "DEEP"}).replace('"DEEP"', "[" * depth + "]" * depth)
     with pytest.raises(SceneError):

@@ -11,7 +11,7 @@ from conftest import square
 from scene_gate import message, polygon, problem_of
 
 from planar_planner.errors import SceneError
-from planar_planner.problem import with_query
+from planar_planner.problem.make import with_query
 
 
 def test_arrays_of_a_valid_scene(scene_dict: dict[str, Any]) -> None:

@@ -12,11 +12,13 @@ import pytest
 from bad_scene_values import BAD_VALUES
 
 import planar_planner
-from planar_planner.builtin import builtin_scenes
-from planar_planner.limits import MAX_ANGLE, MAX_COORDINATE, MIN_COORDINATE
+from planar_planner.scene.builtin import builtin_scenes
+from planar_planner.scene.input_limits import MAX_ANGLE, MAX_COORDINATE, MIN_COORDINATE
 
 SCHEMA = json.loads(
-    (Path(planar_planner.__file__).parent / "scene.schema.json").read_text(encoding="utf-8")
+    (Path(planar_planner.__file__).parent / "scene" / "scene.schema.json").read_text(
+        encoding="utf-8"
+    )
 )
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 

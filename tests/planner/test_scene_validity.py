@@ -15,9 +15,9 @@ from hypothesis import strategies as st
 from scene_gate import VALID, message, polygon, problem_of
 
 from planar_planner.errors import SceneError
-from planar_planner.problem import make_problem
-from planar_planner.scene import load_scene
-from planar_planner.validity import Judge, judged_by_geos, judged_exactly
+from planar_planner.load import load_scene
+from planar_planner.problem.make import make_problem
+from planar_planner.problem.rings import Judge, judged_by_geos, judged_exactly
 
 
 @pytest.mark.parametrize("scale", [1e-40, 1e-9, 1.0, 1e11])

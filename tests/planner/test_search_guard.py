@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from planar_planner import load_scene, solve
-from planar_planner.builtin import builtin_scenes
+from planar_planner.scene.builtin import builtin_scenes
 
 
 @pytest.mark.parametrize("name", sorted(builtin_scenes()))

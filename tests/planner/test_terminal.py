@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from pseudo_terminal import on_terminal
 
-from planar_planner.builtin import manifest
+from planar_planner.scene.builtin import manifest
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="opens a pseudo-terminal")
 

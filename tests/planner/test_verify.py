@@ -15,18 +15,32 @@ import shapely
 from hand_made_certificates import HAND_MADE, WHOLE, Json, hand_made, rectangle, signed
 from shapely import affinity
 
-from planar_planner import verify
-from planar_planner.certificate_form import read_certificate, units
-from planar_planner.problem import make_problem
-from planar_planner.scene import load_scene
-from planar_planner.verify import Extent, Piece, Rejected, verify_certificate
+from planar_planner.checker.absence import covered, extent
+from planar_planner.checker.arithmetic import BITS, ONE, PI, WORK, Extent, _cross, _minus, rotation
+from planar_planner.checker.case import (
+    Case,
+    Piece,
+    Rejected,
+    check_partition,
+    check_pieces,
+    convex_piece,
+    make_case,
+)
+from planar_planner.checker.collisions import check_full, check_overlap, negative
+from planar_planner.checker.form import read_certificate, units
+from planar_planner.checker.path import make_motion, not_negative, swept
+from planar_planner.checker.verify import verify_certificate
+from planar_planner.load import load_scene
+from planar_planner.problem.make import make_problem
 
-PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899")
+PI_TO_80_DIGITS = Decimal(
+    "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899"
+)
 Points = list[tuple[float, float]]
 
 
 def decimal_cos_sin(angle: Decimal) -> tuple[Decimal, Decimal]:
-    angle %= 2 * PI
+    angle %= 2 * PI_TO_80_DIGITS
     sums, term, k = [Decimal(0), Decimal(0)], Decimal(1), 0
     while abs(term) > Decimal(10) ** -60 or k < 8:
         sums[k % 2] += term * (1 if k % 4 < 2 else -1)
@@ -38,21 +52,19 @@ def decimal_cos_sin(angle: Decimal) -> tuple[Decimal, Decimal]:
 def test_rotations_are_within_a_unit() -> None:
     getcontext().prec = 70
     rng = random.Random(1)
-    one = Decimal(2) ** verify.BITS
+    one = Decimal(2) ** BITS
     for _ in range(200):
         turns = Fraction(rng.randrange(-(2**20), 2**20), 2 ** rng.randrange(20))
         radians = Fraction(rng.choice([0.0, rng.uniform(-4, 4), rng.uniform(-1e6, 1e6)]))
         angle = Decimal(radians.numerator) / radians.denominator
-        angle += 2 * PI * turns.numerator / turns.denominator
-        for found, true in zip(
-            verify.rotation(radians, turns), decimal_cos_sin(angle), strict=True
-        ):
+        angle += 2 * PI_TO_80_DIGITS * turns.numerator / turns.denominator
+        for found, true in zip(rotation(radians, turns), decimal_cos_sin(angle), strict=True):
             assert abs(found - true * one) <= 1
 
 
 def test_pi() -> None:
     getcontext().prec = 75
-    assert abs(verify.PI - PI * Decimal(2) ** verify.WORK) <= 1
+    assert abs(PI - PI_TO_80_DIGITS * Decimal(2) ** WORK) <= 1
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -72,7 +84,7 @@ def test_negative_is_sound_and_sharp(seed: int) -> None:
         margin = rng.choice([-1, 1]) * 10.0 ** rng.uniform(-12, 0)
         C = -most + margin
         scaled = (round(math.ldexp(x, 100)) for x in (D, E, C))
-        found = verify.negative(*scaled, Extent([], first, last).ends())
+        found = negative(*scaled, Extent([], first, last).ends())
         assert found == (margin < 0)
 
 
@@ -85,16 +97,16 @@ def random_convex(rng: random.Random, reach: float, count: int) -> Points:
 
 
 def piece_of(points: Points, obstacle: bool) -> Piece:
-    return verify.convex_piece("", [(units(x), units(y)) for x, y in points], obstacle=obstacle)
+    return convex_piece("", [(units(x), units(y)) for x, y in points], obstacle=obstacle)
 
 
-def case_of(robot: Points, obstacle: Points) -> verify.Case:
+def case_of(robot: Points, obstacle: Points) -> Case:
     """Return a case of one piece each."""
     nowhere = ((0, 0), 0.0)
     mine, other = piece_of(robot, False), piece_of(obstacle, True)
     pieces = {"robot": {"0": [mine]}, "obstacle": {"0": [other]}}
     polygons = {owner: {"0": [own["0"][0].vertices]} for owner, own in pieces.items()}
-    return verify.Case(polygons, {}, {}, True, nowhere, nowhere, pieces)
+    return Case(polygons, {}, {}, True, nowhere, nowhere, pieces)
 
 
 def placed(points: Points, x: float, y: float, theta: float) -> shapely.Polygon:
@@ -116,7 +128,7 @@ def test_overlap_holds_in_the_whole_box(seed: int) -> None:
         corners = [(units(x + a * half), units(y + b * half)) for a in (-1, 1) for b in (-1, 1)]
         at = Extent(corners, Fraction(k, 1 << level), Fraction(k + 1, 1 << level))
         try:
-            verify.check_overlap(case, "", (0, 0, 0, 0), at)
+            check_overlap(case, "", (0, 0, 0, 0), at)
             full = True
         except Rejected:
             full = False
@@ -147,10 +159,10 @@ def test_separating_edges_hold_during_the_whole_motion(seed: int) -> None:
         for x, y, theta in (start, [v + stretch * rng.uniform(-1, 1) for v in start]):
             ends.append((units(x), units(y), theta, 0))
         first, last = (Fraction(k, 8) for k in sorted(rng.sample(range(9), 2)))
-        motion = verify.make_motion(ends, int(first * verify.ONE), int(last * verify.ONE))
+        motion = make_motion(ends, int(first * ONE), int(last * ONE))
         pieces = case.pair("", (0, 0, 0, 0))
         clear = any(
-            all(verify.not_negative(edge, v, motion) for v in pieces[other].vertices)
+            all(not_negative(edge, v, motion) for v in pieces[other].vertices)
             for owner, other in (("robot", "obstacle"), ("obstacle", "robot"))
             for edge in pieces[owner].edges
         )
@@ -159,15 +171,12 @@ def test_separating_edges_hold_during_the_whole_motion(seed: int) -> None:
         for k in range(17):
             s = first + (last - first) * Fraction(k, 16)
             x, y = (
-                float(Fraction(a, verify.ONE) + s * Fraction(b - a, verify.ONE))
-                for a, b in ((ax, bx), (ay, by))
+                float(Fraction(a, ONE) + s * Fraction(b - a, ONE)) for a, b in ((ax, bx), (ay, by))
             )
             shape = placed(robot, x, y, at + float(s) * (bt - at))
             area = shape.intersection(shapely.Polygon(obstacle)).area
             gap = min(gap, shape.distance(shapely.Polygon(obstacle)) - area)
-            xmin, ymin, xmax, ymax = (
-                Fraction(v, verify.ONE) for v in verify.swept(case.outline, motion)
-            )
+            xmin, ymin, xmax, ymax = (Fraction(v, ONE) for v in swept(case.outline, motion))
             box = shapely.box(float(xmin), float(ymin), float(xmax), float(ymax))
             assert box.buffer(1e-9).contains(shape)
         cleared += clear
@@ -196,7 +205,7 @@ def test_cover_equals_brute_force(seed: int) -> None:
             return {c for a, b, c_, d in of for c in product(range(a, c_), range(b, d))}
 
         expected = cells(needs) <= cells(covers)
-        assert verify.covered(needs, covers, (0, 0, 8, 8)) == expected
+        assert covered(needs, covers, (0, 0, 8, 8)) == expected
         answers.add(expected)
     assert len(answers) == 2
 
@@ -218,20 +227,17 @@ def test_partitions_by_an_independent_triangulation() -> None:
             for t in triangles
         ]
         pieces = [
-            p
-            if verify._cross(verify._minus(p[1], p[0]), verify._minus(p[2], p[1])) > 0
-            else p[::-1]
-            for p in pieces
+            p if _cross(_minus(p[1], p[0]), _minus(p[2], p[1])) > 0 else p[::-1] for p in pieces
         ]
         rings = [[(units(x), units(y)) for x, y in ring] for ring in (outer, hole)]
-        verify.check_partition("", rings, pieces)
+        check_partition("", rings, pieces)
         for wrong in (
             pieces[1:],
             [*pieces, pieces[0]],
             [[(x + 1, y) for x, y in pieces[0]], *pieces[1:]],
         ):
             with pytest.raises(Rejected, match="partition"):
-                verify.check_partition("", rings, wrong)
+                check_partition("", rings, wrong)
 
 
 def test_partition_with_vertices_on_sides() -> None:
@@ -242,9 +248,9 @@ def test_partition_with_vertices_on_sides() -> None:
         [(1, 0), (4, 0), (4, 2), (1, 2)],
         [(1, 2), (4, 2), (4, 4), (1, 4)],
     )
-    verify.check_partition("", [square], [left, low, high])
+    check_partition("", [square], [left, low, high])
     with pytest.raises(Rejected):
-        verify.check_partition("", [square], [left, low, [(1, 2), (4, 2), (4, 4), (1, 3)]])
+        check_partition("", [square], [left, low, [(1, 2), (4, 2), (4, 4), (1, 3)]])
 
 
 @pytest.mark.parametrize(
@@ -263,11 +269,11 @@ def test_partition_with_vertices_on_sides() -> None:
 )
 def test_not_convex(vertices: list[tuple[int, int]]) -> None:
     with pytest.raises(Rejected, match="convex"):
-        verify.convex_piece("", vertices, obstacle=True)
+        convex_piece("", vertices, obstacle=True)
 
 
 def test_straight_angles_are_convex() -> None:
-    assert len(verify.convex_piece("", [(0, 0), (1, 0), (2, 0), (0, 2)], obstacle=True).edges) == 4
+    assert len(convex_piece("", [(0, 0), (1, 0), (2, 0), (0, 2)], obstacle=True).edges) == 4
 
 
 @pytest.mark.parametrize("name", HAND_MADE)
@@ -348,8 +354,8 @@ def grid_certificate(scene: Json, levels: tuple[int, int, int]) -> Json | None:
         "full_faces": [],
     }
     content = read_certificate(signed(scene, certificate | {"start_side": [], "full": []}))
-    case = verify.make_case(problem, content)
-    verify.check_pieces(case, content)
+    case = make_case(problem, content)
+    check_pieces(case, content)
     domain = (case, (0, 0), (units(8.0), units(8.0)))
     counts = [1 << level for level in levels]
     robot = scene["robot"]["coordinates"][0]
@@ -367,7 +373,7 @@ def grid_certificate(scene: Json, levels: tuple[int, int, int]) -> Json | None:
             if not all(shape.intersection(blocked).area > 0 for shape in shapes):
                 continue  # for speed alone: a box with a free corner cannot be FULL
             try:
-                verify.check_full(case, "", claim, verify.extent("", domain, box))
+                check_full(case, "", claim, extent("", domain, box))
             except Rejected:
                 continue
             return claim

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from hand_made_certificates import HAND_MADE, Json, hand_made, signed
 
-from planar_planner.cli import main
+from planar_planner.cli.main import main
 
 
 def written(folder: Path, name: str) -> list[str]:
@@ -126,7 +126,7 @@ def test_the_checker_loads_none_of_the_planner(tmp_path: Path) -> None:
     files = written(tmp_path, "gap")
     code = (
         "import sys\n"
-        "from planar_planner.cli import main\n"
+        "from planar_planner.cli.main import main\n"
         f"assert main({['verify', *files]!r}) == 0\n"
         "planner = {'planner', 'result', 'certificate', 'placement', 'core', '_core'}\n"
         "loaded = {name for name in planner if f'planar_planner.{name}' in sys.modules}\n"

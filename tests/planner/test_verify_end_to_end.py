@@ -8,12 +8,13 @@ from pathlib import Path
 
 import pytest
 
-from planar_planner.builtin import builtin_scenes, manifest
-from planar_planner.cli import main
-from planar_planner.options import Options
-from planar_planner.planner import Planner
-from planar_planner.scene import load_scene
-from planar_planner.verify import Rejected, verify_certificate
+from planar_planner.checker.case import Rejected
+from planar_planner.checker.verify import verify_certificate
+from planar_planner.cli.main import main
+from planar_planner.load import load_scene
+from planar_planner.planning.options import Options
+from planar_planner.planning.planner import Planner
+from planar_planner.scene.builtin import builtin_scenes, manifest
 
 SECONDS = {"gear-jammed": 10.0}  # at most; the others:
 SECONDS_OTHERS = 60.0

@@ -11,11 +11,12 @@ import pytest
 from certificate_mutations import MUTATIONS, Json, mutant
 from hand_made_certificates import HAND_MADE, hand_made
 
-from planar_planner import verify
-from planar_planner.certificate_form import CertificateError
-from planar_planner.planner import Planner
-from planar_planner.scene import load_scene
-from planar_planner.verify import Rejected, verify_certificate
+from planar_planner.checker import absence, case, collisions, path, verify
+from planar_planner.checker.case import Rejected
+from planar_planner.checker.form import CertificateError
+from planar_planner.checker.verify import verify_certificate
+from planar_planner.load import load_scene
+from planar_planner.planning.planner import Planner
 
 SHIPPED = [
     *("window-fixed", "slide-blocked", "corner-too-long", "comb-jammed", "piano-jammed"),
@@ -72,9 +73,13 @@ def verdicts(mutation: str) -> dict[str, str]:
     return found
 
 
+CHECKER = (verify, case, collisions, absence, path)
+
+
 def demands() -> list[str]:
     """Return the checker's demands, by what it says when they fail."""
-    calls = (node for node in ast.walk(ast.parse(inspect.getsource(verify))))
+    sources = map(inspect.getsource, CHECKER)
+    calls = (node for source in sources for node in ast.walk(ast.parse(source)))
     named = (c for c in calls if isinstance(c, ast.Call) and isinstance(c.func, ast.Name))
     texts = [c.args[2] for c in named if c.func.id == "demand"]
     assert all(isinstance(text, ast.Constant) for text in texts)
@@ -107,12 +112,13 @@ def test_demands_are_distinct() -> None:
 @pytest.mark.parametrize("text", demands())
 def test_without_a_demand_some_mutant_passes(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
     caught = [(m, name) for m in MUTATIONS for name, why in verdicts(m).items() if why == text]
-    original = verify.demand
+    original = case.demand
 
     def without(holds: bool, place: str, problem: str) -> None:
         original(holds or problem == text, place, problem)
 
-    monkeypatch.setattr(verify, "demand", without)
+    for module in CHECKER:
+        monkeypatch.setattr(module, "demand", without)
 
     def passes(mutation: str, name: str) -> bool:
         made = mutant(mutation, *certified(name))

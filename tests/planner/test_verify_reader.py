@@ -14,9 +14,9 @@ from typing import Any
 import pytest
 from hand_made_certificates import HAND_MADE, Json, hand_made
 
-from planar_planner import verify
-from planar_planner.certificate_form import CertificateError, read_certificate
-from planar_planner.verify import Rejected, verify_certificate
+from planar_planner.checker.case import Rejected
+from planar_planner.checker.form import UNIT, CertificateError, read_certificate, units
+from planar_planner.checker.verify import verify_certificate
 
 HUGE = 10**400
 TINY = 5e-324
@@ -253,5 +253,5 @@ def test_junk_never_crashes_the_checker(name: str) -> None:
 
 def test_units_hold_every_number_of_a_scene() -> None:
     for number in (1e-50, -1.0000000000000002e-50, 1e12, 0.1, -0.0):
-        assert verify.units(number) == number * 2**verify.UNIT or verify.units(number) % 2 == 0
-        assert verify.units(number) / 2**verify.UNIT == number
+        assert units(number) == number * 2**UNIT or units(number) % 2 == 0
+        assert units(number) / 2**UNIT == number

@@ -14,9 +14,9 @@ import pytest
 
 import planar_planner
 from planar_planner._core import build_info
-from planar_planner.cli import main
+from planar_planner.cli.main import main
 
-NATIVE = Path(__file__).parents[2] / "planar_planner" / "native"
+NATIVE = Path(__file__).parents[2] / "planar_planner" / "native" / "bindings"
 
 
 def test_version_with_build_details(capsys: pytest.CaptureFixture[str]) -> None:

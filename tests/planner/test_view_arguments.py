@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from planar_planner.cli import main
-from planar_planner.command_arguments.view import VIEWS, angles, view_of
+from planar_planner.cli.arguments.view import VIEWS, angles, view_of
+from planar_planner.cli.main import main
 from planar_planner.errors import OptionsError
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from planar_planner.cli import main
+from planar_planner.cli.main import main
 
 
 @pytest.fixture(autouse=True)

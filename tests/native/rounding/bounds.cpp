@@ -7,7 +7,7 @@
 #include "families.hpp"
 #include "generate.hpp"
 #include "pdg/native/tolerances.hpp"
-#include "planar_planner/native/nearby.hpp"
+#include "planar_planner/native/configurations/nearby.hpp"
 #include "posed.hpp"
 
 namespace rounding {

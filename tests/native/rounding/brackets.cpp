@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "families.hpp"
-#include "pdg/native/bracket.hpp"
+#include "pdg/native/bounds/bracket.hpp"
 #include "pdg/native/tolerances.hpp"
 #include "piece_sets.hpp"
 

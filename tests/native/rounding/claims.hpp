@@ -1,7 +1,7 @@
 // The planner's labels, confirmed or not by the exact side alone.
 #pragma once
 
-#include "planar_planner/native/full_claim.hpp"
+#include "planar_planner/native/labels/full_claim.hpp"
 #include "world.hpp"
 
 namespace rounding {

@@ -6,9 +6,9 @@
 #include "exact.hpp"
 #include "families.hpp"
 #include "generate.hpp"
-#include "pdg/native/displacement.hpp"
-#include "pdg/native/generalized_depth.hpp"
-#include "pdg/native/motion_bound.hpp"
+#include "pdg/native/depth/displacement.hpp"
+#include "pdg/native/depth/generalized_depth.hpp"
+#include "pdg/native/geometry/motion_bound.hpp"
 #include "pdg/native/tolerances.hpp"
 #include "piece_sets.hpp"
 

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "families.hpp"
-#include "pdg/native/displacement.hpp"
-#include "pdg/native/enclosing_circle.hpp"
+#include "pdg/native/depth/displacement.hpp"
+#include "pdg/native/geometry/enclosing_circle.hpp"
 #include "pdg/native/tolerances.hpp"
 #include "piece_sets.hpp"
 

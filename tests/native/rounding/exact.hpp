@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "ball.hpp"
-#include "pdg/native/convex_piece.hpp"
-#include "pdg/native/separation.hpp"
-#include "planar_planner/native/cell.hpp"
-#include "planar_planner/native/scene.hpp"
+#include "pdg/native/geometry/convex_piece.hpp"
+#include "pdg/native/separation/separation.hpp"
+#include "planar_planner/native/configurations/dyadic_box.hpp"
+#include "planar_planner/native/world/scene.hpp"
 
 namespace exact {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "pdg/native/convex_piece.hpp"
-#include "pdg/native/predicates.hpp"
-#include "pdg/native/separation.hpp"
+#include "pdg/native/geometry/convex_piece.hpp"
+#include "pdg/native/geometry/predicates.hpp"
+#include "pdg/native/separation/separation.hpp"
 #include "pdg/native/tolerances.hpp"
 
 namespace rounding {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <random>
 
-#include "pdg/native/polygon.hpp"
-#include "planar_planner/native/cell.hpp"
+#include "pdg/native/geometry/polygon.hpp"
+#include "planar_planner/native/configurations/dyadic_box.hpp"
 
 namespace rounding {
 

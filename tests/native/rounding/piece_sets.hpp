@@ -3,7 +3,7 @@
 
 #include "exact.hpp"
 #include "generate.hpp"
-#include "pdg/native/c_obstacle_query.hpp"
+#include "pdg/native/separation/c_obstacle_query.hpp"
 
 namespace rounding {
 

@@ -5,8 +5,8 @@
 
 #include "claims.hpp"
 #include "families.hpp"
-#include "planar_planner/native/placement.hpp"
-#include "planar_planner/native/state_check.hpp"
+#include "planar_planner/native/paths/placement.hpp"
+#include "planar_planner/native/paths/state_check.hpp"
 
 namespace rounding {
 

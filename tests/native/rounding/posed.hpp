@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "pdg/native/separation.hpp"
+#include "pdg/native/separation/separation.hpp"
 
 namespace rounding {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "families.hpp"
-#include "pdg/native/translational_depth.hpp"
+#include "pdg/native/depth/translational_depth.hpp"
 #include "piece_sets.hpp"
 
 namespace rounding {

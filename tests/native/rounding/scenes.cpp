@@ -6,7 +6,7 @@
 
 #include "claims.hpp"
 #include "families.hpp"
-#include "planar_planner/native/face.hpp"
+#include "planar_planner/native/cells/face.hpp"
 
 namespace rounding {
 

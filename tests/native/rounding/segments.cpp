@@ -7,7 +7,7 @@
 #include "families.hpp"
 #include "generate.hpp"
 #include "pdg/native/tolerances.hpp"
-#include "planar_planner/native/segment.hpp"
+#include "planar_planner/native/paths/segment.hpp"
 #include "posed.hpp"
 
 namespace rounding {

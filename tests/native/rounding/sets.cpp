@@ -8,9 +8,9 @@
 
 #include "families.hpp"
 #include "generate.hpp"
-#include "pdg/native/convex_composites.hpp"
-#include "pdg/native/grasp_wrench_set.hpp"
-#include "pdg/native/penetration_distance.hpp"
+#include "pdg/native/convex_sets/convex_composites.hpp"
+#include "pdg/native/convex_sets/grasp_wrench_set.hpp"
+#include "pdg/native/penetration_distance/penetration_distance.hpp"
 
 namespace rounding {
 

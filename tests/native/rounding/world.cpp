@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "pdg/native/predicates.hpp"
-#include "planar_planner/native/pieces.hpp"
+#include "pdg/native/geometry/predicates.hpp"
+#include "planar_planner/native/world/pieces.hpp"
 
 namespace rounding {
 

@@ -6,8 +6,8 @@
 
 #include "exact.hpp"
 #include "generate.hpp"
-#include "planar_planner/native/label.hpp"
-#include "planar_planner/native/problem.hpp"
+#include "planar_planner/native/labels/label.hpp"
+#include "planar_planner/native/world/problem.hpp"
 
 namespace rounding {
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from planar_planner.cli import main
+from planar_planner.cli.main import main
 from planar_planner.formats.parts import ImportOptions
-from planar_planner.scene import Scene, load_scene
+from planar_planner.load import load_scene
+from planar_planner.scene.model import Scene
 
 
 def read(path: Path, text: str | bytes, **options: Any) -> Scene:

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from planar_planner import SceneError, load_scene
-from planar_planner.cli import main
+from planar_planner.cli.main import main
 
 WKT = """workspace POLYGON ((-9 -9, 9 -9, 9 9, -9 9, -9 -9))
 robot POLYGON ((-1 -0.5, 1 -0.5, 1 0.5, -1 0.5, -1 -0.5))
@@ -80,7 +80,7 @@ def test_convert_tells_what_it_wrote(
 def test_compare_takes_them_too(
     file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    import planar_planner.compare as module
+    import planar_planner.ompl.compare as module
 
     given: list[Any] = []
 

@@ -12,9 +12,9 @@ import shapely
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from planar_planner.formats import curves
-from planar_planner.formats.curves import Ellipse, Outline, Piece, flattened
-from planar_planner.formats.exact import contains, orientation
+from planar_planner.formats.outlines import curves
+from planar_planner.formats.outlines.curves import Ellipse, Outline, Piece, flattened
+from planar_planner.formats.outlines.exact import contains, orientation
 from planar_planner.formats.parts import Point, Ring
 
 SAMPLES = 100

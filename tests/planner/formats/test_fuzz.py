@@ -17,8 +17,8 @@ from test_tpcap import BAY
 from planar_planner import SceneError
 from planar_planner.errors import one_line
 from planar_planner.formats.parts import ImportOptions
-from planar_planner.problem import make_problem
-from planar_planner.scene import load_scene
+from planar_planner.load import load_scene
+from planar_planner.problem.make import make_problem
 
 SEEDS = {
     "f.wkt": WKT_SCENE,

@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from planar_planner.formats.occupancy import grid_polygons
+from planar_planner.formats.outlines.occupancy import grid_polygons
+from planar_planner.formats.outlines.rings import polygons_of
 from planar_planner.formats.parts import Notes
-from planar_planner.formats.rings import polygons_of
 
 
 def check(cells: np.ndarray) -> None:

@@ -10,7 +10,7 @@ import shapely
 from format_help import read
 
 from planar_planner import Scene, SceneError, load_scene, solve
-from planar_planner.cli import main
+from planar_planner.cli.main import main
 
 Box = tuple[float, float, float, float]
 IDENTITY = "1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1"

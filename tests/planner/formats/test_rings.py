@@ -9,11 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from planar_planner.errors import SceneError
-from planar_planner.formats.merge import merged
+from planar_planner.formats.outlines.merge import merged
+from planar_planner.formats.outlines.rings import polygons_of
 from planar_planner.formats.parts import Notes, Ring, Shape
-from planar_planner.formats.rings import polygons_of
-from planar_planner.raw_polygons import RawPolygons
-from planar_planner.validity import judged_exactly
+from planar_planner.problem.rings import judged_exactly
+from planar_planner.scene.raw_polygons import RawPolygons
 
 
 def region(shapes: list[Shape]) -> shapely.Geometry:

@@ -9,7 +9,7 @@ from format_help import convert, same_geometry
 
 from planar_planner import load_scene, solve
 from planar_planner.formats.parts import ImportOptions
-from planar_planner.problem import make_problem
+from planar_planner.problem.make import make_problem
 
 SCENES = ("corner", "gear", "bug-trap", "slot-jammed")
 

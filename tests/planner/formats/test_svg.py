@@ -10,8 +10,8 @@ import shapely
 from format_help import convert, read, same_geometry
 
 from planar_planner import Scene, SceneError, load_scene, solve
-from planar_planner.cli import main
-from planar_planner.problem import make_problem
+from planar_planner.cli.main import main
+from planar_planner.problem.make import make_problem
 
 BOX = '<rect id="robot" x="-1" y="-1" width="2" height="2"/>'
 ENDS = '<circle id="start" cx="10" cy="-5" r="1"/><path id="goal" d="M 30 -5 v -4"/>'

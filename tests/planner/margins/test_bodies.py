@@ -15,7 +15,7 @@ from planar_planner.margins.erosion import depths, eroded
 from planar_planner.margins.offset import Offsets
 from planar_planner.margins.rounded_hull import circumscribed, inner_radius, outer_radius
 from planar_planner.margins.scaling import Scalings
-from planar_planner.problem import Polygons, make_problem
+from planar_planner.problem.make import Polygons, make_problem
 
 SLACK = 1e-9  # of the oracle: GEOS's distances and predicates in doubles
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from planar_planner import Options, load_scene, margin, solve
-from planar_planner.cli import main
-from planar_planner.margins.picture import draw_margin
+from planar_planner.cli.main import main
+from planar_planner.pictures.margin import draw_margin
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,14 @@
+// The class that Python holds a body's convex separators by.
+#pragma once
+
+#include <vector>
+
+#include "pdg/native/bounds/convex_separators.hpp"
+
+namespace pdg::python {
+
+struct SeparatorSet {
+  std::vector<pdg::ConvexSeparator> separators;
+};
+
+}  // namespace pdg::python

@@ -1,0 +1,69 @@
+"""Penetration depths of planar bodies that translate and rotate.
+
+Convex pieces, translational depth, lower bounds of the generalized depth, motion bounds and the
+C-obstacle query. Knows nothing of planning.
+"""
+
+from pdg import sets
+from pdg.bodies.piece_set import ConvexPieces
+from pdg.bodies.pieces import convex_pieces
+from pdg.depths.depth import generalized_depth_lower_bound, translational_depth
+from pdg.depths.depth_bracket import DepthBracket, DepthBrackets, bracket
+from pdg.depths.motion import (
+    DistanceBracket,
+    DistanceBrackets,
+    MotionBounds,
+    displacement,
+    generalized_distance_bounds,
+    motion_bounds,
+)
+from pdg.depths.query import CObstacleVerdict, CObstacleVerdicts, c_obstacle_query
+from pdg.depths.results import (
+    DepthLowerBound,
+    DepthLowerBounds,
+    TranslationalDepth,
+    TranslationalDepths,
+)
+from pdg.depths.upper_bounds import (
+    ConvexSeparators,
+    DepthUpperBound,
+    DepthUpperBounds,
+    FreePlacement,
+    convex_separators,
+    generalized_depth_upper_bound,
+)
+from pdg.distance import PenetrationDistance, penetration_distance
+from pdg.errors import PdgError
+
+__all__ = [
+    "CObstacleVerdict",
+    "CObstacleVerdicts",
+    "ConvexPieces",
+    "ConvexSeparators",
+    "DepthBracket",
+    "DepthBrackets",
+    "DepthLowerBound",
+    "DepthLowerBounds",
+    "DepthUpperBound",
+    "DepthUpperBounds",
+    "DistanceBracket",
+    "DistanceBrackets",
+    "FreePlacement",
+    "MotionBounds",
+    "PdgError",
+    "PenetrationDistance",
+    "TranslationalDepth",
+    "TranslationalDepths",
+    "bracket",
+    "c_obstacle_query",
+    "convex_pieces",
+    "convex_separators",
+    "displacement",
+    "generalized_depth_lower_bound",
+    "generalized_depth_upper_bound",
+    "generalized_distance_bounds",
+    "motion_bounds",
+    "penetration_distance",
+    "sets",
+    "translational_depth",
+]

@@ -1,0 +1,1 @@
+"""Polygonal bodies as users give them, and their convex pieces."""

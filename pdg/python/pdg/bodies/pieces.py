@@ -1,0 +1,85 @@
+"""Exact convex pieces of polygons."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pdg import _core, _gate
+from pdg.bodies import shapes
+from pdg.bodies.piece_set import ConvexPieces
+from pdg.errors import PdgError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+def convex_pieces(body: Any, *, cover: bool = True, name: str = "body") -> ConvexPieces:
+    """Decompose polygons into convex pieces, exactly and without new vertices.
+
+    Parameters
+    ----------
+    body : array_like of shape (n, 2), anything shapely reads, ConvexPieces, or a list of these
+        One ring as coordinates; a shapely Polygon, MultiPolygon, LinearRing or GeometryCollection
+        of polygons; WKT; WKB (bytes or hexadecimal); GeoJSON as text, mapping or by
+        ``__geo_interface__``. A list (or an array of shape (k, n, 2)) is the union of its items.
+        Rings may have either orientation, collinear and repeated vertices, and may touch in
+        points. A ring that runs back along edges of its own is taken by the even-odd rule: what it
+        runs along twice bounds nothing. Polygons of one body may overlap; ConvexPieces in a list
+        are taken piece by piece.
+    cover : bool
+        True: a cover; each piece is grown as far as convexity allows and pieces may overlap.
+        False: a partition; interiors are disjoint.
+    name : str
+        What errors call the argument.
+
+    Returns
+    -------
+    ConvexPieces
+        Their union is the body exactly; every vertex is an input vertex. A convex polygon is its
+        own single piece.
+
+    Raises
+    ------
+    PdgError
+        For rings of fewer than three distinct points, non-finite coordinates, edges that cross,
+        holes outside their shell, z coordinates, bodies without area, and a `cover` that is no
+        bool.
+    """
+    whole = _gate.flag(cover, "cover")
+    if isinstance(body, ConvexPieces):
+        return body
+    polygons = shapes.polygons(body, name)
+    _check_holes(polygons, name)
+    try:
+        core = _core.PieceSet(*_flat(polygons), whole)
+    except ValueError as error:
+        raise PdgError(str(error), name) from error
+    if len(core) == 0:
+        raise PdgError("the polygon has no area", name)
+    return ConvexPieces(core)
+
+
+def _check_holes(polygons: list[shapes.Rings], name: str) -> None:
+    """Refuse what the core, which takes the even-odd interior, would misread: stray holes."""
+    with_holes = [polygon for polygon in polygons if len(polygon) > 1]
+    if with_holes and (defect := _core.first_defect(*_flat(with_holes))) is not None:
+        raise PdgError(f"invalid polygon: {defect[1]}", name)
+
+
+def _flat(
+    polygons: list[shapes.Rings],
+) -> tuple[NDArray[np.float64], NDArray[np.uint32], NDArray[np.uint32]]:
+    """Return all coordinates, where each ring starts, and with which ring each polygon starts."""
+    rings = [ring for polygon in polygons for ring in polygon]
+    return (
+        np.concatenate(rings),
+        _starts(len(ring) for ring in rings),
+        _starts(len(polygon) for polygon in polygons),
+    )
+
+
+def _starts(counts: Iterator[int]) -> NDArray[np.uint32]:
+    return np.cumsum([0, *counts], dtype=np.uint32)

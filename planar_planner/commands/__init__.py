@@ -1,1 +1,0 @@
-"""One module per command; each has a `run` that returns the exit status."""

@@ -1,0 +1,44 @@
+#include "pose.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "dyadic_box.hpp"
+
+namespace planner {
+
+Pose pose_of(const Problem& problem, const Configuration& q) {
+  return {to_planner(problem, {q.x, q.y}), q.theta};
+}
+
+Configuration configuration_of(const Problem& problem, const Pose& pose) {
+  Vec2 p = to_user(problem, pose.t);
+  if (problem.reference_bounds) {
+    const Rectangle& r = *problem.reference_bounds;
+    p = {std::clamp(p.x, r.low.x, r.high.x), std::clamp(p.y, r.low.y, r.high.y)};
+  }
+  return {p.x, p.y, pose.theta};
+}
+
+std::array<std::uint64_t, 3> dyadic_point(const Problem& problem, const Configuration& q) {
+  const Domain& d = problem.domain;
+  const Vec2 t = to_planner(problem, {q.x, q.y});
+  const auto count = [](const double fraction) {
+    const double clamped = std::clamp(fraction, 0.0, 1.0);
+    return std::min(
+        static_cast<std::uint64_t>(std::ldexp(clamped, static_cast<int>(kCoordinateBits))),
+        kUnit - 1);
+  };
+  // The library's reduction keeps a few u of a turn whatever theta's magnitude.
+  const double turn = std::atan2(std::sin(q.theta), std::cos(q.theta)) / (2.0 * std::numbers::pi);
+  return {count((t.x - d.low.x) / d.size.x), count((t.y - d.low.y) / d.size.y),
+          problem.rotation ? count(turn - std::floor(turn)) : 0};
+}
+
+double nearest_turn(const double angle, const double theta) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  return angle + turn * std::round((theta - angle) / turn);
+}
+
+}  // namespace planner

@@ -1,0 +1,34 @@
+// Configurations in planner units, and the way to the user's doubles and back: what is certified is
+// what is returned.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scene.hpp"
+
+namespace planner {
+
+// Planner units; theta in radians, unwrapped.
+struct Pose {
+  Vec2 t;
+  double theta = 0.0;
+};
+
+Pose pose_of(const Problem& problem, const Configuration& q);
+// Moved onto the reference bounds where rounding carried it out of them.
+Configuration configuration_of(const Problem& problem, const Pose& pose);
+
+// Its place in the domain in units of 2^-60 (cell.hpp), up to kDyadicSlack.
+std::array<std::uint64_t, 3> dyadic_point(const Problem& problem, const Configuration& q);
+
+// Units of 2^-60 of the domain and of a turn: x and y are rounded 5 times at magnitudes below 2
+// domain widths (10 u), theta by sine, cosine, arc tangent and a division (6 u of a turn), and the
+// result is cut off to a unit; 16 u = 2^11 units, doubled.
+inline constexpr std::uint64_t kDyadicSlack = std::uint64_t{1} << 12U;
+
+// `angle` plus the whole turns that bring it nearest to `theta`.
+double nearest_turn(double angle, double theta);
+
+}  // namespace planner

@@ -1,0 +1,50 @@
+// What a certificate needs of the last answer, still in terms of the core's pieces and cells.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "barrier.hpp"
+#include "planar_planner/native/paths/separating_edges.hpp"
+#include "planar_planner/native/search/query.hpp"
+#include "planar_planner/native/world/problem.hpp"
+
+namespace planner {
+
+// A piece as the certificate names it: its polygon, and its place in the polygon's partition.
+struct PieceName {
+  std::uint32_t polygon;  // kWall: `index` is the wall
+  std::uint32_t index;
+};
+
+enum class ClaimKind : std::uint8_t {
+  kNone,        // undecided, or nothing asked yet
+  kPath,        // waypoints, segments
+  kSeparation,  // barrier
+  kDisc,        // barrier of a disc inside the robot
+  kEnd,         // `end` is not free: witness, or out of the reference bounds
+};
+
+struct Evidence {
+  ClaimKind kind = ClaimKind::kNone;
+  std::vector<Configuration> waypoints;  // kPath: without legs into contact
+  std::vector<std::vector<ProvenInterval>> segments;
+  Barrier barrier;
+  std::string end;
+  bool out_of_bounds = false;
+  Witness witness{};
+  std::vector<PieceName> robot_names, obstacle_names;  // of the pieces above
+  std::vector<std::uint32_t> polygons;  // obstacles that it refers to, or whose boxes come near
+  std::uint16_t disc_piece = 0;         // kDisc: the robot's piece that holds the disc
+};
+
+std::vector<PieceName> robot_names(const Robot& robot);
+std::vector<PieceName> obstacle_names(const ObstacleTree& tree);
+
+// Proves every segment of a certified path again, with its witnesses; false if one resists.
+bool collect_segments(const Problem& problem, ObstacleTree& tree, Evidence& evidence);
+// The polygons that the barrier's claims refer to.
+void collect_polygons(Evidence& evidence);
+
+}  // namespace planner

@@ -1,0 +1,71 @@
+// A path guessed from a channel that is still MIXED: configurations of its cells pushed onto the
+// ridge of the clearance, and joined by certified segments. A gate that is narrow, long and slanted
+// against the axes of the cells is passed in a few segments, where cells would have to be as small
+// as its clearance.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "planar_planner/native/cells/subdivision.hpp"
+#include "planar_planner/native/limits.hpp"
+#include "planar_planner/native/paths/segment.hpp"
+#include "ridge.hpp"
+
+namespace planner {
+
+class RidgePath {
+ public:
+  RidgePath(const Problem& problem, const ObstacleTree& tree, const Subdivision& subdivision,
+            SegmentTest& segments, Statistics& statistics)
+      : problem_(problem),
+        subdivision_(subdivision),
+        segments_(segments),
+        statistics_(statistics),
+        climb_(problem, tree, statistics) {}
+
+  // Waypoints from start to goal, certified. Empty if none were found before about `budget`
+  // evaluations of separating-axis functions were spent, or the terminator struck.
+  std::vector<Configuration> find(const std::vector<CellId>& channel, const Configuration& start,
+                                  const Configuration& goal, std::uint64_t budget,
+                                  const Terminator& stop);
+
+ private:
+  // A configuration in or near one of the channel's cells, free as far as plain doubles tell.
+  struct Foothold {
+    Pose pose;
+    std::size_t cell;  // its place in the channel
+    double clearance;  // infinite at the ends and in solid cells
+  };
+  // From one foothold to the next.
+  struct Gap {
+    std::size_t from;
+    double clearance;         // of the tighter end; negative: a cell in between has no foothold
+    std::vector<Pose> poses;  // certified, without the first
+  };
+
+  bool find_footholds(const std::vector<CellId>& channel);
+  [[nodiscard]] Pose middle_of(CellId id, double near) const;
+  void list_gaps();
+  void look_between(const std::vector<CellId>& channel, const Foothold& from, const Foothold& to);
+  bool connect(const Pose& from, const Pose& to, int depth, std::vector<Pose>& poses);
+  Height between_axes(const Pose& from, const Pose& to, double radius);
+  [[nodiscard]] Pose rounded(const Pose& pose) const;
+  [[nodiscard]] double way(const Pose& from, const Pose& to) const;
+  [[nodiscard]] bool spent() const;
+
+  const Problem& problem_;
+  const Subdivision& subdivision_;
+  SegmentTest& segments_;
+  Statistics& statistics_;
+  RidgeClimb climb_;
+  std::vector<Foothold> footholds_;
+  std::vector<Gap> gaps_;
+  std::vector<PairAxis> scope_;  // what the cells looked at leave undecided
+  std::vector<PairAxis> both_;
+  std::uint64_t most_ = 0;  // statistics_.axis_work() at which to give up
+  const Terminator* stop_ = nullptr;
+};
+
+}  // namespace planner

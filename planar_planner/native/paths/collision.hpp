@@ -1,0 +1,67 @@
+// Does the robot overlap anything in one configuration? In plain doubles, without margins: a hint
+// that steers a search and proves nothing. In a large scene polygons that nobody has decomposed yet
+// stay so: their outlines are asked.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "edge_runs.hpp"
+#include "planar_planner/native/configurations/pose.hpp"
+#include "planar_planner/native/world/obstacle_tree.hpp"
+#include "planar_planner/native/world/problem.hpp"
+
+namespace planner {
+
+inline constexpr double kCollides = -1.0;
+
+// Obstacle vertices that are decomposed in less time than a first try takes.
+inline constexpr std::size_t kSmallScene = 300;
+
+class CollisionHint {
+ public:
+  // Scenes with more obstacle vertices than `small` are large.
+  CollisionHint(const Problem& problem, ObstacleTree& tree, std::size_t small = kSmallScene);
+
+  // How far every point of the robot may move and meet nothing, by bounding boxes: often 0, never
+  // too much. kCollides if the robot overlaps something, or the reference point is out of its
+  // domain.
+  double gap(const Pose& pose);
+
+  // Calls of gap.
+  [[nodiscard]] std::uint64_t calls() const { return calls_; }
+  // Boxes, edges and pairs of pieces looked at so far, about a nanosecond or two each.
+  [[nodiscard]] std::uint64_t work() const { return work_; }
+
+ private:
+  [[nodiscard]] double gap_to_domain() const;
+  [[nodiscard]] double gap_to_walls() const;
+  void place_hull();
+  bool hits_last_piece();
+  bool hits_node(std::uint32_t node);
+  bool hits_piece(const pdg::ConvexPiece& obstacle);
+  bool hits_outline(std::uint32_t polygon);
+  bool crosses(Vec2 p, Vec2 q);
+  [[nodiscard]] double gap_to_box(const TreeNode& node) const;
+  void turn(std::size_t piece);
+  bool separated(std::size_t piece, const pdg::ConvexPiece& obstacle);
+
+  const Problem& problem_;
+  ObstacleTree& tree_;
+  bool small_;                                    // a scene that is decomposed without a thought
+  std::vector<Vec2> vertices_, normals_;          // of the robot's pieces, turned but not moved
+  std::vector<std::uint64_t> turned_at_;          // by piece: the call that turned it last
+  std::vector<std::uint32_t> open_;               // nodes still to visit
+  std::vector<std::optional<Outline>> outlines_;  // by polygon, made when first asked
+  std::uint64_t calls_ = 0;
+  std::uint64_t work_ = 0;
+  std::uint32_t last_hit_ = kNoPiece;  // node
+
+  // Of the configuration asked about.
+  Vec2 t_;
+  pdg::Rotation rotation_;
+  Vec2 low_, high_;  // bounds of the robot
+};
+
+}  // namespace planner

@@ -1,0 +1,52 @@
+#include "edge_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace planner {
+
+namespace {
+
+constexpr std::size_t kEdgesPerRun = 16;
+
+}  // namespace
+
+Outline::Outline(const PolygonSet& set, const std::size_t index, const pdg::Frame& frame) {
+  for (std::size_t r = set.polygon_starts[index]; r < set.polygon_starts[index + 1]; ++r) {
+    const std::size_t begin = points_.size();
+    for (std::size_t k = set.ring_starts[r]; k < set.ring_starts[r + 1]; ++k)
+      points_.push_back(pdg::to_frame(frame, set.points[k]));
+    const std::size_t end = points_.size();
+    points_.push_back(points_[begin]);
+    add_runs(begin, end);
+  }
+}
+
+void Outline::add_runs(const std::size_t begin, const std::size_t end) {
+  for (std::size_t first = begin; first < end; first += kEdgesPerRun) {
+    Run run{
+        {INFINITY, INFINITY}, {-INFINITY, -INFINITY}, first, std::min(first + kEdgesPerRun, end)};
+    for (std::size_t k = run.begin; k <= run.end; ++k) {
+      const Vec2 p = points_[k];
+      run.low = {std::min(run.low.x, p.x), std::min(run.low.y, p.y)};
+      run.high = {std::max(run.high.x, p.x), std::max(run.high.y, p.y)};
+    }
+    runs_.push_back(run);
+  }
+}
+
+bool Outline::contains(const Vec2 point) const {
+  bool inside = false;
+  for (const Run& run : runs_) {
+    if (point.y < run.low.y || point.y > run.high.y || point.x > run.high.x) continue;
+    for (std::size_t k = run.begin; k < run.end; ++k) {
+      const Vec2 p = points_[k];
+      const Vec2 q = points_[k + 1];
+      if ((p.y > point.y) == (q.y > point.y)) continue;
+      inside ^= point.x < p.x + (point.y - p.y) / (q.y - p.y) * (q.x - p.x);
+    }
+  }
+  return inside;
+}
+
+}  // namespace planner

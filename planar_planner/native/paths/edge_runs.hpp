@@ -1,0 +1,47 @@
+// A polygon's boundary, with boxes round runs of its edges: overlap without convex pieces, in plain
+// doubles. For hints only.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "pdg/native/geometry/convex_piece.hpp"
+#include "planar_planner/native/world/scene.hpp"
+
+namespace planner {
+
+class Outline {
+ public:
+  // Polygon `index` of the set, mapped into the frame.
+  Outline(const PolygonSet& set, std::size_t index, const pdg::Frame& frame);
+
+  // Is visit(p, q) true of any edge whose run's box meets [low, high]?
+  template <class Visit>
+  [[nodiscard]] bool any_edge(const Vec2 low, const Vec2 high, const Visit& visit) const {
+    for (const Run& run : runs_) {
+      if (run.low.x > high.x || run.low.y > high.y || run.high.x < low.x || run.high.y < low.y)
+        continue;
+      for (std::size_t k = run.begin; k < run.end; ++k)
+        if (visit(points_[k], points_[k + 1])) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] std::size_t runs() const { return runs_.size(); }
+
+  // By the parity of crossings to the right.
+  [[nodiscard]] bool contains(Vec2 point) const;
+
+ private:
+  struct Run {
+    Vec2 low, high;
+    std::size_t begin, end;  // edge k runs from point k to point k + 1
+  };
+
+  void add_runs(std::size_t begin, std::size_t end);
+
+  std::vector<Vec2> points_;  // every ring closed by its first point
+  std::vector<Run> runs_;
+};
+
+}  // namespace planner

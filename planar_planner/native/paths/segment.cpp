@@ -1,0 +1,85 @@
+#include "segment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pdg/native/tolerances.hpp"
+#include "planar_planner/native/labels/star.hpp"
+
+namespace planner {
+
+namespace {
+
+// A segment that needs more labelled intervals, or deeper bisection, counts as not certified.
+constexpr int kIntervalBudget = 2000;
+constexpr std::size_t kDepth = 44;
+
+}  // namespace
+
+Pose between(const Pose& from, const Pose& to, const double s) {
+  return {from.t + s * (to.t - from.t), from.theta + s * (to.theta - from.theta)};
+}
+
+pdg::Motion motion_along(const Problem& problem, const Pose& from, const Pose& to,
+                         const Interval i) {
+  pdg::Motion m;
+  const double half = 0.5 * (i.end - i.begin);
+  m.t = between(from, to, 0.5 * (i.begin + i.end)).t;
+  m.g1 = half * (to.t - from.t);
+  m.g1_length = pdg::norm(m.g1);
+  m.turn = half * (to.theta - from.theta);
+  m.half_angle = std::abs(m.turn);
+  m.cos_half = std::cos(m.half_angle);
+  m.sin_half = std::sin(m.half_angle);
+  m.reach = std::max(problem.domain.reach,
+                     std::max(pdg::norm(from.t), pdg::norm(to.t)) * pdg::kRadiusPadding);
+  // theta is rounded once at its own magnitude, here and when the pose was made.
+  m.angle_error = pdg::kPoseAngleUnits * pdg::kUnitRoundoff *
+                  std::max(std::abs(from.theta), std::abs(to.theta));
+  return m;
+}
+
+std::optional<double> SegmentTest::clearance(const Pose& pose) {
+  ConstraintList root, rest;
+  labeller_.root_list(root);
+  const pdg::Motion m = motion_along(problem_, pose, pose, {0.0, 1.0});
+  const LabelResult result =
+      labeller_.label(m, labeller_.posed(rotation_at(pose.theta)), view(root), rest);
+  if (result.label != Label::kFree) return std::nullopt;
+  return result.clearance;
+}
+
+bool SegmentTest::certify(const Pose& from, const Pose& to, const double margin) {
+  margin_ = margin;
+  ++statistics_.segments_tested;
+  if (lists_.size() < kDepth + 2) lists_.resize(kDepth + 2);
+  labeller_.root_list(lists_[0]);
+  budget_ = kIntervalBudget;
+  return certify_interval(from, to, {0.0, 1.0}, view(lists_[0]), 1);
+}
+
+bool SegmentTest::certify_interval(const Pose& from, const Pose& to, const Interval interval,
+                                   const ConstraintView& parent, const std::size_t depth) {
+  if (depth > kDepth || --budget_ < 0) return false;
+  const double middle = 0.5 * (interval.begin + interval.end);
+  pdg::Motion motion = motion_along(problem_, from, to, interval);
+  motion.margin = margin_;
+  ConstraintView list = parent;
+  if (motion.half_angle <= std::numbers::pi / 2) {
+    const Pose centre = between(from, to, middle);
+    const pdg::PosedRobot& posed = labeller_.posed(rotation_at(centre.theta));
+    const LabelResult result = labeller_.label(motion, posed, parent, lists_[depth]);
+    if (result.label == Label::kFree) return true;
+    if (result.label == Label::kFull) return false;
+    list = view(lists_[depth]);
+    const bool all_open = std::none_of(list.pairs.begin(), list.pairs.end(), closed);
+    if (all_open && !planner::is_free(labeller_.robot(), labeller_.tree(), posed, motion.t,
+                                      motion.reach, list, margin_))
+      return false;
+  }
+  return certify_interval(from, to, {interval.begin, middle}, list, depth + 1) &&
+         certify_interval(from, to, {middle, interval.end}, list, depth + 1);
+}
+
+}  // namespace planner

@@ -1,0 +1,65 @@
+// The evidence that a straight motion is free: parts of it, and for every pair of pieces that comes
+// near on a part one edge that separates it there (docs/certificate.md, "path").
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "pdg/native/separation/separation.hpp"
+#include "planar_planner/native/configurations/pose.hpp"
+#include "planar_planner/native/world/obstacle_tree.hpp"
+#include "planar_planner/native/world/problem.hpp"
+#include "segment.hpp"
+
+namespace planner {
+
+struct SeparatingEdge {
+  std::uint32_t obstacle;  // piece of the obstacle tree
+  std::uint16_t robot;     // piece of the robot
+  std::uint16_t edge;      // of its owner
+  pdg::EdgeOwner owner;
+};
+
+struct ProvenInterval {
+  Interval interval;
+  std::vector<SeparatingEdge> edges;  // pairs whose bounding boxes do not prove them apart
+};
+
+class SeparatingEdges {
+ public:
+  SeparatingEdges(const Problem& problem, ObstacleTree& tree) : problem_(problem), tree_(tree) {}
+
+  // Parts that follow one another from 0 to 1; empty if the motion is not free, or if it would take
+  // too many. Whatever SegmentTest certifies passes: this bound shrinks with the square of the
+  // interval as its does.
+  std::optional<std::vector<ProvenInterval>> prove(const Pose& from, const Pose& to);
+
+ private:
+  struct Box {
+    Vec2 low, high;
+  };
+  struct Part;
+
+  void gather(std::uint32_t node, const Box& swept);
+  bool prove_part(Interval interval, const std::vector<std::uint32_t>& near, int depth);
+  bool separate(const Part& part, const std::vector<std::uint32_t>& near, ProvenInterval& out);
+  bool within_walls(const Part& part) const;
+
+  const Problem& problem_;
+  ObstacleTree& tree_;
+  Pose from_, to_;
+  pdg::PosedRobot posed_;
+  std::vector<std::uint32_t> gathered_;
+  std::vector<ProvenInterval> proven_;
+};
+
+// Holds the bounding boxes of the robot on every part of the way.
+struct SweptBox {
+  Vec2 low, high;
+};
+SweptBox swept_box(const Problem& problem, const Pose& from, const Pose& to);
+// Rounding of the comparison of a swept box with an obstacle's.
+double box_margin(const Problem& problem, Vec2 low, Vec2 high);
+
+}  // namespace planner

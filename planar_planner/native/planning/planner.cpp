@@ -1,0 +1,356 @@
+#include "planner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "planar_planner/native/guesses/goal_guesses.hpp"
+#include "planar_planner/native/guesses/rrt_connect.hpp"
+#include "planar_planner/native/search/goal_cells.hpp"
+#include "planar_planner/native/search/refinement.hpp"
+#include "planar_planner/native/world/disc.hpp"
+
+namespace planner {
+
+namespace {
+
+// A try with a disc instead of the robot may cost no more cells than this.
+constexpr std::uint64_t kDiscCells = 4000;
+
+// Configurations that the first try by trees may ask about, some tenths of a millisecond, and as
+// many more for every obstacle, as the cells that it may spare grow with their number too; and work
+// that each may cost where robot and obstacles have many edges, in units of CollisionHint::work.
+constexpr std::uint64_t kProbeChecks = 2500;
+constexpr std::uint64_t kProbeChecksPerObstacle = 5;
+constexpr std::uint64_t kMostProbeChecks = 20'000;
+constexpr std::uint64_t kProbeWork = 2'000'000;
+constexpr std::uint64_t kProbeWorkPerObstacle = 8'000;
+constexpr std::uint64_t kMostProbeWork = 20'000'000;
+// How far apart they are at first, relative to the robot's reach, and after a path that could not
+// be certified; and how many paths are given a chance.
+constexpr double kProbeSpacing = 0.25;
+constexpr double kFinerSpacing = 0.7;
+constexpr int kProbePaths = 16;
+
+// A few configurations of each leg, the middle first: a certificate that must fail is not begun.
+constexpr std::array<double, 7> kGlances = {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};
+
+bool looks_blocked(const Problem& problem, CollisionHint& hint,
+                   const std::vector<Configuration>& path) {
+  for (const double s : kGlances)
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      const Pose from = pose_of(problem, path[i]);
+      const Pose to = pose_of(problem, path[i + 1]);
+      if (hint.gap(between(from, to, s)) < 0.0) return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+Planner::Planner(Scene scene, const Parts& parts) {
+  const Stopwatch watch(preprocessing_);
+  problem_ = make_problem(std::move(scene), parts);
+  tree_ = std::make_unique<ObstacleTree>(problem_.scene.obstacles, problem_.frame, problem_.walls,
+                                         parts.partition);
+  labeller_ = std::make_unique<Labeller>(problem_.robot, *tree_, statistics_, parts);
+  segments_ = std::make_unique<SegmentTest>(problem_, *labeller_, statistics_);
+}
+
+Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits& limits,
+                      const Listener& listener) {
+  std::optional<GoalRegion> region;
+  if (const auto* const set = std::get_if<GoalSet>(&goal)) region.emplace(problem_, *set);
+  Query query(start, goal, region ? &*region : nullptr, limits, listener);
+  statistics_ = {};
+  statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
+  CollisionHint hint(problem_, *tree_);
+  const bool cheap = problem_.parts.cheap;
+  if (!ends_not_free(query) && !(cheap && (cheap_move(query, hint) || disc_answer(query, goal))) &&
+      !(problem_.parts.probe && probe(query, hint)))
+    subdivide(query);
+  confirm_absence(query, start, goal);
+  remember(query, start, goal);
+  settle_lifted_ends(query, start, goal);
+  complete_answer(query);
+  return std::move(query.answer);
+}
+
+// A colliding end has no path; one in contact is moved off by the contact tolerance, if it allows.
+bool Planner::ends_not_free(Query& query) {
+  for (Configuration* const end : {&query.start, &query.goal}) {
+    if (end == &query.goal && query.region != nullptr) break;
+    const std::string name = end == &query.start ? "start" : "goal";
+    const Placement p = placement(*end);
+    if (p.state == PlacementState::kFree) continue;
+    if (p.state != PlacementState::kOutside && p.depth <= query.limits.contact_tolerance &&
+        query.limits.contact_tolerance > 0.0) {
+      if (const auto moved = lift_off(problem_, *segments_, *end, query.limits.contact_tolerance)) {
+        *end = *moved;
+        query.lifted = true;
+        continue;
+      }
+    }
+    // Where rounding cannot tell touching from penetration, neither a path nor its absence can be
+    // certified from here.
+    if (p.state == PlacementState::kContact)
+      query.conclude(Verdict::kUndecided, "the " + name + " touches " +
+                                              (p.wall ? "the workspace" : "an obstacle") +
+                                              ": allow it to be moved off by a contact tolerance");
+    else
+      query.conclude(Verdict::kNoPath, "the " + name + " is not free", name);
+    return true;
+  }
+  return false;
+}
+
+bool Planner::cheap_move(Query& query, CollisionHint& hint) {
+  const Stopwatch watch(statistics_.seconds.path);
+  const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
+  if (query.region == nullptr) return cheap_move_to(query, hint, query.goal, stop);
+  const std::vector<Configuration> goals =
+      near_goals(*query.region, *segments_, problem_, query.start);
+  return std::any_of(goals.begin(), goals.end(), [&](const Configuration& goal) {
+    return cheap_move_to(query, hint, goal, stop);
+  });
+}
+
+// Straight, then by two legs: turn and move, in either order.
+bool Planner::cheap_move_to(Query& query, CollisionHint& hint, const Configuration& goal,
+                            const Terminator& stop) {
+  const Configuration& s = query.start;
+  Configuration g = goal;
+  g.theta = problem_.rotation ? nearest_turn(g.theta, s.theta) : s.theta;
+  const std::vector<std::vector<Configuration>> tries = {
+      {s, g}, {s, {s.x, s.y, g.theta}, g}, {s, {g.x, g.y, s.theta}, g}};
+  for (const std::vector<Configuration>& path : tries)
+    if (!looks_blocked(problem_, hint, path) &&
+        !first_uncertified(problem_, *segments_, path, stop))
+      return conclude_path(query, path, path.size() == 2 ? "straight move" : "two-leg move");
+  return false;
+}
+
+bool Planner::conclude_path(Query& query, std::vector<Configuration> path, const char* by) {
+  query.answer.path = report_path(std::move(path));
+  query.conclude(Verdict::kPath, "certified " + std::string(by), by);
+  return true;
+}
+
+// Two random trees, of whose path only its certificate is believed.
+bool Planner::probe(Query& query, CollisionHint& hint) {
+  const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
+  const std::uint64_t calls_before = hint.calls();
+  const std::vector<Configuration> goals =
+      query.region == nullptr ? std::vector{query.goal}
+                              : free_goals(*query.region, hint, problem_, query.start);
+  if (goals.empty()) return false;
+  const std::size_t obstacles = problem_.scene.obstacles.size();
+  const RrtConnect::Budget budget{
+      std::min(kProbeChecks + kProbeChecksPerObstacle * obstacles, kMostProbeChecks),
+      std::min(kProbeWork + kProbeWorkPerObstacle * obstacles, kMostProbeWork) + hint.work()};
+  RrtConnect trees(problem_, hint, budget, query.start, goals);
+  const std::uint64_t by_discs = statistics_.probe_checks;
+  double spacing = kProbeSpacing * problem_.robot.reach;
+  for (int paths = 0; paths < kProbePaths; ++paths, spacing *= kFinerSpacing) {
+    std::vector<Configuration> path;
+    {
+      const Stopwatch watch(statistics_.seconds.probe);
+      path = trees.find(spacing, stop);
+      statistics_.probe_checks = by_discs + hint.calls() - calls_before;
+    }
+    if (path.empty()) return false;
+    const Stopwatch watch(statistics_.seconds.path);
+    const auto bad = certify_shortened(problem_, *tree_, *segments_, hint, path, stop);
+    if (!bad) return conclude_path(query, std::move(path), "RRT-Connect");
+    trees.reject(*bad);
+  }
+  return false;
+}
+
+bool Planner::disc_answer(Query& query, const Goal& goal) {
+  if (!std::exchange(disc_prepared_, true)) {
+    if (auto scenes = disc_scenes(problem_)) {
+      disc_round_ = std::make_unique<Planner>(std::move(scenes->round), problem_.parts);
+      disc_inside_ = std::make_unique<Planner>(std::move(scenes->inside), problem_.parts);
+    }
+  }
+  if (!disc_round_) return false;
+  if (ask_disc(*disc_inside_, query, goal).verdict == Verdict::kNoPath) {
+    query.conclude(Verdict::kNoPath, "a disc inside the robot has no path", "disc");
+    return true;
+  }
+  if (query.stopped) return true;
+  Answer round = ask_disc(*disc_round_, query, goal);
+  if (round.verdict != Verdict::kPath) return query.stopped;
+  std::vector<Configuration>& path = round.path.waypoints;
+  for (Configuration& q : path) q.theta = query.start.theta;
+  path.push_back(query.region == nullptr ? query.goal : path.back());
+  const double angle =
+      query.region == nullptr ? query.goal.theta : query.region->nearest_angle(query.start.theta);
+  path.back().theta = nearest_turn(angle, query.start.theta);
+  const Terminator never = [] { return false; };
+  if (first_uncertified(problem_, *segments_, path, never)) return false;
+  return conclude_path(query, std::move(path), "disc");
+}
+
+// Its work counts as the query's; its interruption ends the query. A disc has no angle to mind.
+Answer Planner::ask_disc(Planner& disc, Query& query, const Goal& goal) {
+  Limits limits = query.limits;
+  limits.max_cells = std::min(limits.max_cells, kDiscCells);
+  limits.timeout -= query.elapsed();
+  Goal place = Configuration{query.goal.x, query.goal.y, 0.0};
+  if (const auto* const set = std::get_if<GoalSet>(&goal))
+    place = GoalSet{set->polygons, std::nullopt};
+  Answer answer = disc.solve({query.start.x, query.start.y, 0.0}, place, limits, query.listener);
+  statistics_ += answer.statistics;
+  query.answer.cells_by_label = answer.cells_by_label;
+  query.answer.cells_by_level = answer.cells_by_level;
+  const bool tried_enough = limits.max_cells < query.limits.max_cells && answer.out_of_cells;
+  if (answer.stopped && !tried_enough) {
+    query.conclude(Verdict::kUndecided, answer.reason);
+    query.stopped = true;
+  }
+  return answer;
+}
+
+void Planner::prepare_subdivision(const Query& query) {
+  const CellSpace space{problem_.domain, problem_.rotation, query.start.theta};
+  if (subdivision_ && (space.rotation || subdivision_->space().fixed_theta == space.fixed_theta))
+    return;
+  subdivision_ = std::make_unique<Subdivision>(space, *labeller_, statistics_);
+  faces_ = std::make_unique<FaceTest>(*subdivision_, *labeller_, statistics_);
+}
+
+void Planner::subdivide(Query& query) {
+  prepare_subdivision(query);
+  Refinement(problem_, *tree_, *subdivision_, *faces_, *segments_, statistics_, query).run();
+}
+
+// Every leaf that the exact configuration can lie in.
+std::vector<CellId> Planner::leaves_of(const Configuration& q) const {
+  return subdivision_->leaves_near(dyadic_point(problem_, q), kDyadicSlack);
+}
+
+// Every leaf that may hold a goal.
+std::vector<CellId> Planner::leaves_of_goal(const Goal& goal) const {
+  if (const auto* const set = std::get_if<GoalSet>(&goal))
+    return leaves_that_may_meet(GoalRegion(problem_, *set), *subdivision_);
+  return leaves_of(std::get<Configuration>(goal));
+}
+
+// A proof of absence was found for the ends as they were placed: rounded, or lifted off a contact.
+// It is concluded only if it holds for the user's own, whether those are free or in contact: every
+// leaf that one can lie in is cut off from every leaf that the other can lie in.
+void Planner::confirm_absence(Query& query, const Configuration& start, const Goal& goal) const {
+  const Answer& answer = query.answer;
+  if (answer.verdict != Verdict::kNoPath) return;
+  const std::string& by = answer.statistics.decided_by;
+  const bool separated =
+      by == "separation" && !subdivision_->connected(leaves_of(start), leaves_of_goal(goal));
+  const bool own_ends = !query.lifted || by == "start" || by == "goal";
+  if (by == "separation" ? separated : own_ends) return;
+  query.conclude(Verdict::kUndecided,
+                 "no path from where the contact tolerance moved the ends; that proves nothing of "
+                 "the ends themselves");
+}
+
+// A lifted end stands for the user's: its path gets a first or last leg within the tolerance.
+void Planner::settle_lifted_ends(Query& query, const Configuration& start, const Goal& goal) const {
+  if (!query.lifted) return;
+  std::vector<Configuration>& path = query.answer.path.waypoints;
+  if (path.empty()) return;
+  const auto same = [](const Configuration& a, const Configuration& b) {
+    return a.x == b.x && a.y == b.y;
+  };
+  if (!same(query.start, start)) path.insert(path.begin(), start);
+  if (const auto* const own = std::get_if<Configuration>(&goal); own && !same(query.goal, *own))
+    path.push_back({own->x, own->y, path.back().theta});
+  query.answer.reason += "; ends in contact were moved off within the contact tolerance";
+}
+
+void Planner::complete_answer(Query& query) {
+  Answer& answer = query.answer;
+  statistics_.seconds.total = query.elapsed() + statistics_.seconds.preprocessing;
+  statistics_.pairs_total =
+      (tree_->piece_count() - tree_->wall_count() + tree_->untouched_polygons()) *
+      problem_.robot.body_pieces();
+  statistics_.pairs_touched = labeller_->pairs_touched();
+  statistics_.decided_by = std::move(answer.statistics.decided_by);
+  answer.statistics = statistics_;
+  answer.stopped = query.stopped;
+  answer.out_of_cells = query.out_of_cells;
+  if (subdivision_) take_census(*subdivision_, answer);
+}
+
+void Planner::remember(const Query& query, const Configuration& start, const Goal& goal) {
+  const Answer& answer = query.answer;
+  last_ = {answer.verdict, answer.statistics.decided_by, start, goal, answer.path.waypoints};
+}
+
+Evidence Planner::evidence() {
+  Evidence out;
+  if (last_.verdict == Verdict::kPath) {
+    out.waypoints = last_.waypoints;
+    if (collect_segments(problem_, *tree_, out)) out.kind = ClaimKind::kPath;
+  } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == "disc") {
+    out = disc_inside_->evidence();
+    if (out.kind == ClaimKind::kSeparation) out.kind = ClaimKind::kDisc;
+    out.disc_piece = problem_.robot.inner_piece;
+    return out;
+  } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == "separation") {
+    out.barrier = find_barrier(*subdivision_, faces_->blocked(), leaves_of(last_.start),
+                               leaves_of_goal(last_.goal));
+    if (!out.barrier.start_side.empty()) out.kind = ClaimKind::kSeparation;
+  } else if (last_.verdict == Verdict::kNoPath) {
+    const Placement p =
+        placement(last_.decided_by == "start" ? last_.start : std::get<Configuration>(last_.goal));
+    out.kind = ClaimKind::kEnd;
+    out.end = last_.decided_by;
+    out.out_of_bounds = p.state == PlacementState::kOutside;
+    out.witness = p.witness;
+  }
+  out.robot_names = robot_names(problem_.robot);
+  out.obstacle_names = obstacle_names(*tree_);
+  collect_polygons(out);
+  return out;
+}
+
+double Planner::least_clearance() {
+  if (last_.verdict != Verdict::kPath) return 0.0;
+  return path_clearance(problem_, *tree_, last_.waypoints);
+}
+
+Crossing Planner::bottleneck() {
+  if (last_.verdict != Verdict::kNoPath) return {};
+  if (last_.decided_by == "disc") return disc_inside_->bottleneck();
+  if (last_.decided_by != "separation") return {};
+  return find_bottleneck(problem_, *subdivision_, leaves_of(last_.start),
+                         leaves_of_goal(last_.goal),
+                         [this](const Configuration& q) { return placement(q).depth; });
+}
+
+CellTable Planner::cells() const {
+  return subdivision_ ? tabulate(problem_, *subdivision_) : CellTable{};
+}
+
+Placement Planner::placement(const Configuration& q) {
+  return place(problem_, *tree_, *labeller_, q);
+}
+
+PathCheck Planner::check_path(std::vector<Configuration> path) {
+  PathCheck check;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool turns = !problem_.rotation && path[i].theta != path[0].theta;
+    const bool alone = path.size() == 1 && !segments_->is_free(pose_of(problem_, path[i]));
+    if (outside_bounds(problem_, path[i]) == 0.0 && !turns && !alone) continue;
+    check.bad_segment = i == 0 ? 0 : static_cast<std::int64_t>(i) - 1;
+    return check;
+  }
+  const Terminator never = [] { return false; };
+  const auto bad = first_uncertified(problem_, *segments_, path, never);
+  if (bad) check.bad_segment = static_cast<std::int64_t>(*bad);
+  if (!bad) check.least_clearance = path_clearance(problem_, *tree_, path);
+  return check;
+}
+
+}  // namespace planner

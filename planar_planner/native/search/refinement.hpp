@@ -1,0 +1,70 @@
+// The search: refine only what a channel needs, until the channel is a path or there is none.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "channel.hpp"
+#include "goal_cells.hpp"
+#include "planar_planner/native/cells/census.hpp"
+#include "planar_planner/native/cells/face.hpp"
+#include "planar_planner/native/cells/subdivision.hpp"
+#include "planar_planner/native/guesses/ridge_attempts.hpp"
+#include "planar_planner/native/paths/segment.hpp"
+#include "planar_planner/native/world/problem.hpp"
+#include "query.hpp"
+
+namespace planner {
+
+// Borrows the planner's parts for one query; the subdivision and the known links stay behind.
+class Refinement {
+ public:
+  Refinement(const Problem& problem, ObstacleTree& tree, Subdivision& subdivision, FaceTest& faces,
+             SegmentTest& segments, Statistics& statistics, Query& query);
+
+  // Concludes the query.
+  void run();
+
+ private:
+  void begin_search();
+  [[nodiscard]] bool goal_connected() const;
+  bool pick_goal(CellId cell);
+  void lose_goal(GoalCells& goals, CellId cell);
+  bool take_up_goals();
+  [[nodiscard]] bool solid(const std::vector<CellId>& channel) const;
+  [[nodiscard]] std::vector<CellId> all_cells() const;
+  bool split_mixed(const std::vector<CellId>& channel);
+  bool time_for_all_links();
+  bool link(const std::vector<CellId>& channel);
+  void resolve_doubts(const std::vector<std::pair<CellId, CellId>>& links);
+  CellId resolve_doubt(CellId a, CellId b);
+  bool finish(const std::vector<CellId>& channel);
+  bool try_ridge(const std::vector<CellId>& channel);
+  void conclude_path(std::vector<Configuration> path, const char* reason, const char* by);
+  void split(CellId cell);
+  void exhaust(CellId cell);
+  bool stop();
+
+  const Problem& problem_;
+  ObstacleTree& tree_;
+  Subdivision& subdivision_;
+  FaceTest& faces_;
+  SegmentTest& segments_;
+  Statistics& statistics_;
+  Query& query_;
+  std::array<std::uint64_t, 3> start_point_, goal_point_;  // no goal point with a region
+  std::optional<GoalCells> goals_;                         // of the region, if there is one
+  ChannelSearch search_;
+  std::vector<Connector> connectors_;
+  // Steps of the search: before the last channel was linked, after all links of one were tested,
+  // and since then after single ones.
+  struct {
+    std::uint64_t before = 0, after_all = 0, after_single = 0;
+    bool tested_all = true;
+  } link_steps_;
+  RidgeAttempts ridge_;
+};
+
+}  // namespace planner

@@ -1,0 +1,42 @@
+// The problem in planner units: origin at the centre of the domain, scaled by a power of two so
+// that the domain's larger half-extent lies in [1/2, 1). Rounding is then relative to the scene's
+// size, wherever the scene lies.
+#pragma once
+
+#include <optional>
+
+#include "obstacle_tree.hpp"
+#include "planar_planner/native/ablation.hpp"
+#include "robot.hpp"
+#include "scene.hpp"
+
+namespace planner {
+
+// Everything outside the domain is forbidden to the reference point.
+struct Domain {
+  Vec2 low;
+  Vec2 size;
+  double reach = 0.0;  // max |t| over the domain, rounded up
+};
+
+struct Problem {
+  Scene scene;                     // with a polygonal workspace's outside appended to the obstacles
+  std::size_t user_obstacles = 0;  // obstacles from here on bound the workspace
+  pdg::Frame frame;
+  Robot robot;
+  Domain domain;
+  std::optional<Rectangle> reference_bounds;  // user's units
+  std::vector<pdg::ConvexPiece> walls;        // half-planes; empty without a workspace
+  bool rotation = true;
+  Parts parts;
+};
+
+Problem make_problem(Scene scene, const Parts& parts = {});
+
+inline Vec2 to_planner(const Problem& problem, const Vec2 p) {
+  return pdg::to_frame(problem.frame, p);
+}
+Vec2 to_user(const Problem& problem, Vec2 p);
+double length_to_user(const Problem& problem, double length);
+
+}  // namespace planner

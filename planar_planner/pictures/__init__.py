@@ -1,1 +1,0 @@
-"""Pictures of scenes, paths, cells and walls; `planar_planner.plot` is their public side."""

@@ -1,0 +1,95 @@
+"""Complete motion planning for polygonal robots that translate and rotate in the plane.
+
+>>> from planar_planner import load_scene, solve
+>>> result = solve(load_scene("gear"))
+>>> result.verdict
+'path'
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from planar_planner.checker.case import Rejected
+    from planar_planner.checker.form import CertificateError
+    from planar_planner.checker.verify import verify_certificate
+    from planar_planner.errors import OptionsError, SceneError
+    from planar_planner.explain.cells import Cells, cells_of, cells_on_path, theta_slice
+    from planar_planner.explain.thinnest_place import Bottleneck
+    from planar_planner.load import load_scene
+    from planar_planner.margins.find import margin
+    from planar_planner.margins.result import Margin
+    from planar_planner.planning.options import Options
+    from planar_planner.planning.planner import Planner, solve
+    from planar_planner.planning.result import NoPath, PathFound, Result, Undecided
+    from planar_planner.scene.model import Scene
+
+    __version__: str
+
+_HOMES = {
+    "Bottleneck": "explain.thinnest_place",
+    "Cells": "explain.cells",
+    "CertificateError": "checker.form",
+    "Margin": "margins.result",
+    "NoPath": "planning.result",
+    "Options": "planning.options",
+    "OptionsError": "errors",
+    "PathFound": "planning.result",
+    "Planner": "planning.planner",
+    "Rejected": "checker.case",
+    "Result": "planning.result",
+    "Scene": "scene.model",
+    "SceneError": "errors",
+    "Undecided": "planning.result",
+    "cells_of": "explain.cells",
+    "cells_on_path": "explain.cells",
+    "load_scene": "load",
+    "margin": "margins.find",
+    "solve": "planning.planner",
+    "theta_slice": "explain.cells",
+    "verify_certificate": "checker.verify",
+}
+
+__all__ = [
+    "Bottleneck",
+    "Cells",
+    "CertificateError",
+    "Margin",
+    "NoPath",
+    "Options",
+    "OptionsError",
+    "PathFound",
+    "Planner",
+    "Rejected",
+    "Result",
+    "Scene",
+    "SceneError",
+    "Undecided",
+    "cells_of",
+    "cells_on_path",
+    "load_scene",
+    "margin",
+    "solve",
+    "theta_slice",
+    "verify_certificate",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name on first use, so that the command line starts without numpy."""
+    if name == "__version__":
+        from importlib.metadata import version
+
+        globals()[name] = version("planar-planner")
+        return globals()[name]
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

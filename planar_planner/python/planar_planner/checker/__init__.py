@@ -1,0 +1,1 @@
+"""The checker of certificates (docs/certificate.md), in exact arithmetic."""

@@ -1,0 +1,122 @@
+"""Arguments about files in outside formats, start and goal, and the scene that they name."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from pathlib import Path
+
+from planar_planner.cli.arguments.shared import real_number
+from planar_planner.cli.progress import Progress
+from planar_planner.errors import one_line
+from planar_planner.formats.parts import INWARDS, OUTWARDS, ImportOptions
+from planar_planner.formats.roles import ROLES
+from planar_planner.load import load_scene
+from planar_planner.output_files import complain
+from planar_planner.scene.model import Scene
+
+
+def add_importing(command: argparse.ArgumentParser) -> None:
+    """Add start and goal, and what files in outside formats may leave open."""
+    for name in ("start", "goal"):
+        command.add_argument(
+            f"--{name}",
+            metavar="X,Y,THETA",
+            type=_configuration,
+            help=f"{name} here instead of where the scene says; theta in radians",
+        )
+    group = command.add_argument_group(
+        "outside formats", "for files that are not scene files; see docs/formats.md"
+    )
+    group.add_argument(
+        "--robot", metavar="FILE", type=Path, help="take the robot from this file, of any format"
+    )
+    group.add_argument(
+        "--footprint", metavar="'[[X,Y],…]'", help="the robot's outline, as Nav2 writes it"
+    )
+    group.add_argument(
+        "--padding",
+        metavar="LENGTH",
+        type=_length,
+        help="Nav2's footprint_padding, for --footprint or a footprint in the file (default: 0)",
+    )
+    group.add_argument(
+        "--unknown", action="store_true", help="unknown cells of a map are obstacles too"
+    )
+    group.add_argument(
+        "--flatten",
+        choices=(OUTWARDS, INWARDS),
+        default=OUTWARDS,
+        help="side on which curves become edges: outwards, a path found is one for the curves; "
+        "inwards, a proof of no path is one for the curves (default: %(default)s)",
+    )
+    group.add_argument(
+        "--tolerance",
+        metavar="LENGTH",
+        type=_length,
+        help="farthest that an edge may be from its curve (default: a thousandth of the drawing)",
+    )
+    group.add_argument(
+        "--role",
+        metavar="PATTERN=ROLE",
+        type=_role,
+        action="append",
+        default=[],
+        help="what a drawing's layers, ids, classes or labels are, for example 'wall*=obstacle'; "
+        f"roles: {', '.join(ROLES)}",
+    )
+
+
+def import_options(arguments: argparse.Namespace) -> ImportOptions:
+    """Return what the arguments say."""
+    return ImportOptions(
+        start=arguments.start,
+        goal=arguments.goal,
+        robot=arguments.robot,
+        footprint=arguments.footprint,
+        padding=arguments.padding,
+        unknown=arguments.unknown,
+        flatten=arguments.flatten,
+        tolerance=arguments.tolerance,
+        roles=tuple(arguments.role),
+    )
+
+
+def _configuration(text: str) -> list[float]:
+    try:
+        values = [real_number(part) for part in text.split(",")]
+    except argparse.ArgumentTypeError:
+        values = []
+    if len(values) != 3:
+        raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,THETA, three numbers")
+    return values
+
+
+def _length(text: str) -> float:
+    try:
+        value = real_number(text)
+    except argparse.ArgumentTypeError:
+        value = math.nan
+    if not (0 < value < math.inf):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a positive length")
+    return value
+
+
+def _role(text: str) -> tuple[str, str]:
+    pattern, _, role = text.rpartition("=")
+    if not pattern or role not in ROLES:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not PATTERN=ROLE with a role of {', '.join(ROLES)}"
+        )
+    return pattern, role
+
+
+def scene_of(arguments: argparse.Namespace, name: str, *, quiet: bool = False) -> Scene:
+    """Load a scene with the ends, robot and readings that the arguments ask for."""
+    with Progress(sys.stderr, f"reading {one_line(name)}", quiet=quiet):
+        scene = load_scene(name, import_options(arguments))
+    if not quiet:
+        for note in scene.notes:
+            complain(f"{name}: {note}")
+    return scene

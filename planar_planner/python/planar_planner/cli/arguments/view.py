@@ -1,0 +1,60 @@
+"""Arguments that choose what a picture shows; light to import."""
+
+from __future__ import annotations
+
+import argparse
+import math
+
+from planar_planner.cli.arguments.shared import real_number
+from planar_planner.errors import OptionsError
+
+VIEWS = ("path", "filmstrip", "slices", "space", "wall")
+
+
+def add_view(command: argparse.ArgumentParser) -> None:
+    """Add the view of a picture, and the angles of slices."""
+    command.add_argument(
+        "--view",
+        choices=VIEWS,
+        help="what --plot shows: the path as swept or as a filmstrip, the cells as slices at "
+        "--theta or in 3-D space, the wall that separates (default: wall or path, by the verdict)",
+    )
+    command.add_argument(
+        "--theta",
+        metavar="A,B,…",
+        type=angles,
+        help="angles of the slices, radians or like 45deg (default: some of the path's)",
+    )
+
+
+def angles(text: str) -> list[float]:
+    """Return the angles, in radians, that a text such as ``0,0.5,90deg`` states."""
+    found = []
+    for part in text.split(","):
+        number, degrees = part.strip().removesuffix("deg"), part.strip().endswith("deg")
+        try:
+            value = real_number(number)
+        except argparse.ArgumentTypeError:
+            raise argparse.ArgumentTypeError(f"{part!r} is not an angle") from None
+        if not math.isfinite(value):
+            raise argparse.ArgumentTypeError(f"{part!r} is not finite")
+        found.append(math.radians(value) if degrees else value)
+    return found
+
+
+def view_of(arguments: argparse.Namespace) -> str | None:
+    """Return the view that is asked for, or None to choose by the verdict.
+
+    Raises
+    ------
+    OptionsError
+        If a view is asked for without a picture, or angles with another view than slices.
+    """
+    view: str | None = arguments.view
+    if arguments.plot is None and (view is not None or arguments.theta is not None):
+        raise OptionsError("--view and --theta say what --plot FILE shows; it is missing")
+    if arguments.theta is None:
+        return view
+    if view not in (None, "slices"):
+        raise OptionsError(f"--theta gives the angles of --view slices, not of {view}")
+    return "slices"

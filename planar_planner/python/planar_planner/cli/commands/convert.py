@@ -1,0 +1,86 @@
+"""`planar-planner convert`: files in outside formats ⇄ scene files."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from planar_planner.cli.arguments.importing import add_importing, scene_of
+from planar_planner.cli.arguments.shared import DONE, add_command, add_json, add_scene
+from planar_planner.cli.json_output import json_output
+from planar_planner.cli.progress import Progress
+from planar_planner.formats.exporting import write_scene
+from planar_planner.output_files import check_writable, emit, written_aside
+from planar_planner.scene.size import scene_size, size_json
+
+FORMAT = "planar-planner/conversion"
+VERSION = 1
+
+
+def add(commands: Any) -> None:
+    """Add the command."""
+    convert = add_command(
+        commands,
+        "convert",
+        "turn a file in an outside format into a scene file, or back",
+        examples=(
+            "convert corner corner.svg",
+            "convert corner.svg corner.json --flatten inwards --tolerance 0.01",
+            "convert gear gear.dxf",
+        ),
+        status=DONE,
+    )
+    add_scene(convert)
+    convert.add_argument(
+        "out",
+        metavar="OUT",
+        type=Path,
+        help="file to write: .json for a scene; .geojson, .wkt, .svg, .dxf, .csv, .txt (with .rob)",
+    )
+    add_importing(convert)
+    add_json(convert, "what was written and repaired")
+    convert.add_argument("--quiet", action="store_true", help="do not tell what was repaired")
+    convert.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Read, check, write; print what was written. 0 unless the input is wrong."""
+    output = json_output(arguments.json)
+    check_writable(arguments.out)
+    scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
+    from planar_planner.problem.make import make_problem  # takes numpy
+
+    with Progress(sys.stderr, "checking the shapes", quiet=arguments.quiet):
+        make_problem(scene)
+    content = scene.to_dict()
+    files: Mapping[Path, bytes]
+    if arguments.out.suffix.lower() == ".json":
+        text = json.dumps(content, indent=1, allow_nan=False) + "\n"
+        files = {arguments.out: text.encode()}
+    else:
+        files = write_scene(content, arguments.out)
+    for file, data in files.items():
+        check_writable(file)
+        with written_aside(file) as aside:
+            aside.write_bytes(data)
+    size = scene_size(scene)
+    if not output.to_stdout:
+        emit(
+            f"{', '.join(map(str, files))}: robot of {size.robot_vertices} vertices, "
+            f"{size.obstacle_polygons} obstacle(s) of {size.obstacle_vertices} vertices"
+        )
+    output.write(
+        {
+            "format": FORMAT,
+            "version": VERSION,
+            "scene": scene.name,
+            "files": [str(file) for file in files],
+            **size_json(size),
+            "notes": list(scene.notes),
+        }
+    )
+    return 0

@@ -1,0 +1,121 @@
+"""`planar-planner solve` and `planar-planner check`: decide a query and report."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from planar_planner.cli.arguments.importing import scene_of
+from planar_planner.cli.arguments.limits import options_of
+from planar_planner.cli.arguments.query import add_query
+from planar_planner.cli.arguments.shared import VERDICTS, add_command, add_plot
+from planar_planner.cli.arguments.view import add_view, view_of
+from planar_planner.cli.json_output import json_output
+from planar_planner.cli.progress import Progress
+from planar_planner.cli.report import headline, statistics
+from planar_planner.cli.terminal import VERDICT_STYLES, styled
+from planar_planner.output_files import check_writable, complain, emit, written_aside
+
+if TYPE_CHECKING:
+    from planar_planner.planning.options import Options
+    from planar_planner.planning.planner import Planner
+    from planar_planner.planning.result import Result
+
+EXIT_STATUS = {"path": 0, "no_path": 1, "undecided": 3}
+
+
+def add(commands: Any) -> None:
+    """Add the command."""
+    solve = add_command(
+        commands,
+        "solve",
+        "find a path, or prove that there is none",
+        examples=(
+            "solve gear --plot gear.png",
+            "solve gear --plot slices.svg --view slices --theta 0,30deg,60deg",
+            "solve bug-trap-closed --plot why.png --view wall",
+            "solve corner --start 2.5,0.5,0 --goal 0.5,2.5,-1.5708 --json result.json",
+            "solve gear-jammed --certificate jammed.json.gz",
+            "solve corner --json - --quiet",
+        ),
+        status=VERDICTS,
+    )
+    add_query(solve)
+    add_plot(solve, "draw the scene and the result")
+    add_view(solve)
+    solve.set_defaults(run=run, verdict_only=False)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Solve, then report: text, JSON, picture. The exit status is the verdict."""
+    options = options_of(arguments)
+    view = view_of(arguments)
+    output = json_output(arguments.json)
+    for file in (arguments.certificate, arguments.plot):
+        if file is not None:
+            check_writable(file)
+    scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
+    from planar_planner.planning.planner import (
+        Planner,  # only now: a misspelt name is answered at once
+    )
+
+    with Progress(sys.stderr, "checking the scene", quiet=arguments.quiet) as progress:
+        planner = Planner(scene)
+        result = planner.solve(
+            options=options, listener=progress, certificate=arguments.certificate is not None
+        )
+    if not output.to_stdout:
+        print_verdict(result, brief=arguments.quiet or arguments.verdict_only)
+    output.write(result.to_json())
+    if scene.holds_for and result.verdict not in (scene.holds_for, "undecided"):
+        complain(one_sided(scene.holds_for))
+    if arguments.certificate is not None:
+        _write_certificate(result, arguments.certificate)
+    if arguments.plot is not None:
+        _draw(planner, result, view, arguments, options)
+    return EXIT_STATUS[result.verdict]
+
+
+def _draw(
+    planner: Planner,
+    result: Result,
+    view: str | None,
+    arguments: argparse.Namespace,
+    options: Options,
+) -> None:
+    from planar_planner.pictures.style import save_picture
+    from planar_planner.pictures.views import ViewError, draw_view
+
+    try:
+        figure = draw_view(planner, result, view, arguments.theta, options)
+    except ViewError as error:
+        complain(f"{arguments.plot} is not written: {error}")
+        return
+    with written_aside(arguments.plot) as aside:
+        save_picture(figure, aside, arguments.plot.suffix)
+
+
+def _write_certificate(result: Result, file: Path) -> None:
+    if result.certificate is None:
+        complain(f"{file} is not written: an undecided answer has no certificate")
+        return
+    from planar_planner.planning.certificate import write_certificate
+
+    with written_aside(file) as aside:
+        write_certificate(result.certificate, aside, file.name)
+
+
+def one_sided(holds_for: str) -> str:
+    """Return why the other verdict than this one says nothing of a file's curves."""
+    if holds_for == "path":
+        return "curves were flattened outwards: this proof is about outlines; try --flatten inwards"
+    return "curves were flattened inwards: this path is among outlines; try --flatten outwards"
+
+
+def print_verdict(result: Result, *, brief: bool) -> None:
+    """Print the verdict, coloured on a terminal, and unless `brief` the statistics."""
+    style = VERDICT_STYLES[result.verdict]
+    first = headline(result, lambda verdict: styled(verdict, style, sys.stdout))
+    emit(first if brief else f"{first}\n{statistics(result)}")

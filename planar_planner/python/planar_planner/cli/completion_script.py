@@ -1,0 +1,59 @@
+"""Scripts that complete the command line in a shell, made by shtab from the parser itself.
+
+An argument says by its placeholder what completes it: SCENE the built-in names and files; FILE, OUT
+and CERT files.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+
+import shtab
+
+from planar_planner.cli.parser import make_parser
+from planar_planner.scene.builtin import builtin_scenes
+
+_FILES = ("FILE", "OUT", "CERT")
+_FUNCTION = "_planar_planner_scene_or_file"  # shtab's bash escapes what a name with _file returns
+
+
+def completion_script(shell: str) -> str:
+    """Return the script for ``bash``, ``zsh``, ``tcsh`` or ``fish``."""
+    scenes = " ".join(builtin_scenes())
+    scene_or_file = {
+        "bash": _FUNCTION,
+        "zsh": _FUNCTION,
+        "tcsh": f"`echo {scenes} *`",
+        "fish": f"({_FUNCTION})",
+    }
+    parser = make_parser()
+    for action in _actions(parser):
+        if action.metavar == "SCENE":
+            vars(action)["complete"] = scene_or_file
+        elif action.metavar in _FILES:
+            vars(action)["complete"] = shtab.FILE
+    return shtab.complete(parser, shell, preamble=_functions(scenes).get(shell, ""))
+
+
+def _functions(scenes: str) -> dict[str, str]:
+    return {
+        "bash": f'{_FUNCTION}() {{\n  compgen -W "{scenes}" -- "$1"\n  compgen -f -- "$1"\n}}\n',
+        "zsh": f"{_FUNCTION}() {{\n"
+        f"  _alternative 'scenes:built-in scene:({scenes})' 'files:file:_files'\n"
+        "}\n",
+        "fish": f"function {_FUNCTION}\n"
+        f"  printf '%s\\n' {scenes}\n"
+        "  __fish_complete_path (commandline -ct)\n"
+        "end\n",
+    }
+
+
+def _actions(parser: argparse.ArgumentParser) -> Iterator[argparse.Action]:
+    """Yield the arguments of a parser and of its commands."""
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            for command in action.choices.values():
+                yield from _actions(command)
+        else:
+            yield action

@@ -1,0 +1,1 @@
+"""What a search has left, as arrays: cells, the wall of a proof, and its thinnest place."""

@@ -1,0 +1,183 @@
+"""Parts of a file → the content of a scene file.
+
+What a file does not say is taken from the options, or named in one error. The unbounded plane is
+given bounds that change no verdict; coordinates far from the origin are moved there, if that is
+exact.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+from planar_planner.errors import SceneError
+from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point, Shape
+from planar_planner.scene.fields import Box, Configuration
+from planar_planner.tolerances import BOUNDS_SLACK
+
+FAR = 2.0**20
+"""Coordinates this many times larger than the scene's extent are moved to the origin: the core's
+error bounds are relative to the largest coordinate, so a millionth of its resolution is lost."""
+
+_CARRIES = {
+    "path": "a path found holds for the curves too, 'no path' only for the outlines as flattened",
+    "no_path": "a proof of 'no path' holds for the curves too, a path only for the outlines as "
+    "flattened",
+}
+
+
+def scene_content(parts: Parts, options: ImportOptions, notes: Notes) -> dict[str, Any]:
+    """Return the content of a scene file.
+
+    Raises
+    ------
+    SceneError
+        If robot, start or goal is in neither the parts nor the options; without a source.
+    """
+    given = replace(
+        parts,
+        start=_configuration(options.start) or parts.start,
+        goal=_configuration(options.goal) or parts.goal,
+    )
+    _complete(given)
+    given = _bounded(_near_origin(_without_copies(given, notes), notes), notes)
+    if given.holds_for:
+        notes.say(_CARRIES[given.holds_for])
+    content: dict[str, Any] = {"format": "planar-planner/scene", "version": 1, "name": given.name}
+    content["description"] = " ".join(
+        part if part.endswith(".") else f"{part}."
+        for part in (given.description, *notes.as_lines())
+        if part
+    )
+    if given.workspace is not None:
+        content["workspace"] = as_geojson([given.workspace])
+    elif given.workspace_box is not None:
+        content["workspace"] = {"box": list(given.workspace_box)}
+    if given.reference_bounds is not None:
+        content["reference_bounds"] = list(given.reference_bounds)
+    content["robot"] = as_geojson(given.robot or [])
+    content["obstacles"] = [as_geojson([shape]) for shape in given.obstacles]
+    content["start"] = list(given.start or ())
+    content["goal"] = list(given.goal or ())
+    if not given.rotation:
+        content["rotation"] = False
+    return content
+
+
+def as_geojson(shapes: list[Shape]) -> dict[str, Any]:
+    """Return a Polygon, or a MultiPolygon of several shapes, with closed rings."""
+    polygons = [[[list(p) for p in (*ring, ring[0])] for ring in shape] for shape in shapes]
+    if len(polygons) == 1:
+        return {"type": "Polygon", "coordinates": polygons[0]}
+    return {"type": "MultiPolygon", "coordinates": polygons}
+
+
+def _configuration(value: list[float] | None) -> Configuration | None:
+    return None if value is None else (value[0], value[1], value[2])
+
+
+def _complete(parts: Parts) -> None:
+    missing = []
+    if not parts.robot:
+        missing.append("robot: name a file that has one with --robot FILE, or --footprint")
+    missing += [
+        f"{name}: give it with --{name} X,Y,THETA (theta in radians)"
+        for name, value in (("start", parts.start), ("goal", parts.goal))
+        if value is None
+    ]
+    if missing:
+        raise SceneError("the file does not say everything; missing " + "; ".join(missing))
+
+
+def _without_copies(parts: Parts, notes: Notes) -> Parts:
+    """Drop obstacles that are equal to an earlier one."""
+    kept = list({tuple(map(tuple, shape)): shape for shape in parts.obstacles}.values())
+    notes.count("copies of other obstacles dropped", len(parts.obstacles) - len(kept))
+    return replace(parts, obstacles=kept)
+
+
+def _near_origin(parts: Parts, notes: Notes) -> Parts:
+    """Move a scene far from the origin there, if no coordinate is rounded by that."""
+    points = list(_world_points(parts))
+    box = _bounds(points)
+    extent = max(box[2] - box[0], box[3] - box[1])
+    if extent <= 0 or max(map(abs, box)) < FAR * extent:
+        return parts
+    unit = math.ldexp(1.0, math.frexp(extent)[1])
+    dx, dy = round(box[0] / unit) * unit, round(box[1] / unit) * unit
+    if not all(_exact(x, dx) and _exact(y, dy) for x, y in points):
+        notes.say("coordinates are far from the origin and cannot be moved there exactly")
+        return parts
+    notes.say(f"everything is moved by ({-dx!r}, {-dy!r}), exactly: coordinates were far from 0")
+    return _moved(parts, dx, dy)
+
+
+def _exact(value: float, shift: float) -> bool:
+    """Return whether value − shift is a double: then adding shift again gives value (Knuth 1969).
+
+    The difference d rounds to nearest; d + shift = value and value − d = shift together say that
+    nothing was lost.
+    """
+    difference = value - shift
+    return difference + shift == value and value - difference == shift
+
+
+def _world_points(parts: Parts) -> Iterator[Point]:
+    for shape in [*parts.obstacles, *([parts.workspace] if parts.workspace else [])]:
+        for ring in shape:
+            yield from ring
+    for box in (parts.workspace_box, parts.reference_bounds):
+        if box is not None:
+            yield from (box[:2], box[2:])
+    for q in (parts.start, parts.goal):
+        if q is not None:
+            yield q[0], q[1]
+
+
+def _bounds(points: list[Point]) -> Box:
+    xs, ys = zip(*points, strict=True)
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def _moved(parts: Parts, dx: float, dy: float) -> Parts:
+    def shape(old: Shape) -> Shape:
+        return [[(x - dx, y - dy) for x, y in ring] for ring in old]
+
+    def box(old: Box | None) -> Box | None:
+        return None if old is None else (old[0] - dx, old[1] - dy, old[2] - dx, old[3] - dy)
+
+    def end(old: Configuration | None) -> Configuration | None:
+        return None if old is None else (old[0] - dx, old[1] - dy, old[2])
+
+    return replace(
+        parts,
+        obstacles=[shape(s) for s in parts.obstacles],
+        workspace=shape(parts.workspace) if parts.workspace is not None else None,
+        workspace_box=box(parts.workspace_box),
+        reference_bounds=box(parts.reference_bounds),
+        start=end(parts.start),
+        goal=end(parts.goal),
+    )
+
+
+def _bounded(parts: Parts, notes: Notes) -> Parts:
+    """Give the unbounded plane bounds for the reference point that change no verdict.
+
+    Let r be the robot's largest distance from its reference point, and B a box that holds all
+    obstacles, start and goal, grown by more than r on every side. With the reference point outside
+    B or on its border, the robot meets no obstacle. Moving every point of a path to the nearest
+    one in B is continuous and leaves points in B as they are, so a free path has a free image
+    in B: bounds B answer as the plane does.
+    """
+    if (parts.workspace or parts.workspace_box or parts.reference_bounds) is not None:
+        return parts
+    radius = max(math.hypot(*p) for shape in parts.robot or [] for p in shape[0])
+    xmin, ymin, xmax, ymax = _bounds(list(_world_points(parts)))
+    size = max(map(abs, (xmin, ymin, xmax, ymax)))
+    margin = radius * BOUNDS_SLACK + size * 2.0**-50  # the second covers the sums' rounding
+    notes.say("the file bounds nothing: reference_bounds are chosen so that no verdict changes")
+    return replace(
+        parts, reference_bounds=(xmin - margin, ymin - margin, xmax + margin, ymax + margin)
+    )

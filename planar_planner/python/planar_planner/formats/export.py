@@ -1,0 +1,49 @@
+"""A scene's content → parts for the writers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from planar_planner.errors import SceneError
+from planar_planner.formats.outlines.shapes import shapes_of_geometry
+from planar_planner.formats.parts import Parts
+from planar_planner.problem.goal import is_region
+from planar_planner.scene import fields
+
+
+def parts_of(content: Mapping[str, Any]) -> Parts:
+    """Return the parts of a scene that the gate would accept.
+
+    Raises
+    ------
+    SceneError
+        On what the gate would not accept either; without a source.
+    """
+    if is_region(content["goal"]):
+        raise SceneError("is a region; only scene files hold those", "goal")
+    parts = Parts(
+        obstacles=[
+            shape
+            for i, geometry in enumerate(content["obstacles"])
+            for _, shape in shapes_of_geometry(geometry, f"obstacles[{i}]")
+        ],
+        robot=[shape for _, shape in shapes_of_geometry(content["robot"], "robot")],
+        start=fields.configuration(content["start"], "start"),
+        goal=fields.configuration(content["goal"], "goal"),
+        rotation=content.get("rotation", True),
+        name=content.get("name", ""),
+        description=content.get("description", ""),
+    )
+    workspace = content.get("workspace")
+    if workspace is not None and "box" in workspace:
+        parts.workspace_box = fields.box(workspace["box"], "workspace.box")
+    elif workspace is not None:
+        shapes = [shape for _, shape in shapes_of_geometry(workspace, "workspace")]
+        if len(shapes) != 1:
+            raise SceneError("must be one polygon", "workspace", f"{len(shapes)} polygons")
+        parts.workspace = shapes[0]
+    bounds = content.get("reference_bounds")
+    if bounds is not None:
+        parts.reference_bounds = fields.box(bounds, "reference_bounds")
+    return parts

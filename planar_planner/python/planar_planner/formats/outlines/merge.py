@@ -1,0 +1,129 @@
+"""Many pieces → few polygons of exactly the same region.
+
+Pieces that touch are united where that takes no computed point: every edge of the union then lies
+on an edge between points of the file. Where it would, the pieces stay as they are, which the scene
+format allows: obstacles, and parts of a robot, may overlap.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from typing import Any
+
+from planar_planner.formats.outlines.exact import orientation
+from planar_planner.formats.outlines.rings import polygons_of
+from planar_planner.formats.parts import Notes, Point, Ring, Shape
+
+
+def merged(pieces: Sequence[Ring], place: str, notes: Notes) -> list[Shape]:
+    """Return the union of rings, each a simple polygon of any orientation or without area.
+
+    Returns
+    -------
+    list of Shape
+        Valid polygons; their union is that of the pieces, apart from pieces without area.
+    """
+    import shapely
+
+    kept = _distinct(pieces, notes)
+    if not kept:
+        return []
+    polygons = shapely.polygons([shapely.linearrings(ring) for ring in kept])
+    groups = _touching(polygons)
+    shapes: list[Shape] = []
+    for group in groups:
+        own = [kept[i] for i in group]
+        union = _united(polygons[group], own) if len(group) > 1 else None
+        if union is None:
+            shapes += [shape for ring in own for shape in polygons_of([ring], place, notes)]
+            if len(group) > 1:
+                notes.count(f"overlapping pieces of the {place} kept apart", len(group))
+            continue
+        for polygon in union:
+            shapes += polygons_of(polygon, place, notes, "evenodd")
+        notes.count(f"pieces of the {place} united", len(group))
+    return shapes
+
+
+def _distinct(pieces: Sequence[Ring], notes: Notes) -> list[Ring]:
+    """Return the pieces with area, each once."""
+    found: dict[frozenset[Point], Ring] = {}
+    flat = copies = 0
+    for ring in pieces:
+        turns = [orientation(ring[0], b, c) for b, c in itertools.pairwise(ring[1:])]
+        if not any(turns):
+            flat += 1
+        elif len(ring) == 3 and frozenset(ring) in found:
+            copies += 1
+        else:
+            found[frozenset(ring)] = ring
+    notes.count("pieces without area dropped", flat)
+    notes.count("copies of other pieces dropped", copies)
+    return list(found.values())
+
+
+def _touching(polygons: Any) -> list[list[int]]:
+    """Return the indices of polygons that hang together, group by group."""
+    import shapely
+
+    first, second = shapely.STRtree(polygons).query(polygons, predicate="intersects")
+    leader = list(range(len(polygons)))
+
+    def find(i: int) -> int:
+        while leader[i] != i:
+            leader[i] = leader[leader[i]]
+            i = leader[i]
+        return i
+
+    for i, j in zip(first.tolist(), second.tolist(), strict=True):
+        a, b = find(i), find(j)
+        leader[max(a, b)] = min(a, b)
+    groups: dict[int, list[int]] = {}
+    for i in range(len(polygons)):
+        groups.setdefault(find(i), []).append(i)
+    return list(groups.values())
+
+
+def _united(polygons: Any, rings: Sequence[Ring]) -> list[Shape] | None:
+    """Return GEOS's union if its boundary runs along edges of the pieces, else None.
+
+    GEOS decides by robust predicates and rounds computed points only, so a union whose edges all
+    are edges of pieces, or lie on one, has no rounded boundary.
+    """
+    import shapely
+
+    union = shapely.union_all(polygons)
+    parts = [p for p in shapely.get_parts(union) if p.geom_type == "Polygon"]
+    shapes = [
+        [[(x, y) for x, y in ring.coords[:-1]] for ring in (part.exterior, *part.interiors)]
+        for part in parts
+    ]
+    points = {p for ring in rings for p in ring}
+    edges = [(a, b) for ring in rings for a, b in zip(ring, ring[1:] + ring[:1], strict=True)]
+    known = {frozenset(edge) for edge in edges}
+    tree = None
+    for shape in shapes:
+        for ring in shape:
+            for a, b in zip(ring, ring[1:] + ring[:1], strict=True):
+                if a not in points or b not in points:
+                    return None
+                if frozenset((a, b)) in known:
+                    continue
+                tree = tree or shapely.STRtree([shapely.box(*_box(e)) for e in edges])
+                near = tree.query(shapely.box(*_box((a, b)))).tolist()
+                if not any(_on(edges[i], a) and _on(edges[i], b) for i in near):
+                    return None
+    return shapes
+
+
+def _box(edge: tuple[Point, Point]) -> tuple[float, float, float, float]:
+    (ax, ay), (bx, by) = edge
+    return min(ax, bx), min(ay, by), max(ax, bx), max(ay, by)
+
+
+def _on(edge: tuple[Point, Point], p: Point) -> bool:
+    """Return whether p lies on an edge; exact."""
+    xmin, ymin, xmax, ymax = _box(edge)
+    inside = xmin <= p[0] <= xmax and ymin <= p[1] <= ymax
+    return inside and orientation(*edge, p) == 0

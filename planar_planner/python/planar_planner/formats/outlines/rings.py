@@ -1,0 +1,101 @@
+"""Rings as files have them → valid polygons of the very same region, or the place of a defect.
+
+Repeated vertices and zero-length edges are dropped. Rings that touch themselves or each other, and
+edges run over twice in opposite directions (a hole joined to its outer ring by a bridge), are cut
+into simple rings at points that the file itself names. What would need a computed point, rings that
+cross, is refused: no double is that point.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from planar_planner.errors import SceneError
+from planar_planner.formats.outlines.exact import is_anticlockwise
+from planar_planner.formats.outlines.faces import region_of
+from planar_planner.formats.parts import Notes, Ring, Shape
+from planar_planner.problem.rings import judged_exactly
+from planar_planner.scene.raw_polygons import RawPolygons
+
+MIN_RING = 3
+
+
+def without_repeats(ring: Ring) -> Ring:
+    """Return the ring without vertices that equal their cyclic successor."""
+    return [p for p, q in zip(ring, ring[1:] + ring[:1], strict=True) if p != q]
+
+
+def polygons_of(
+    rings: Sequence[Ring], place: str, notes: Notes, rule: str | None = None
+) -> list[Shape]:
+    """Return the polygons that a figure's rings bound, of any orientation.
+
+    Parameters
+    ----------
+    rings : sequence of Ring
+        Of one figure: an outer ring and holes, or the subpaths of a drawing.
+    place : str
+        Where the figure stands in its file, for messages.
+    notes : Notes
+        Told of everything that was done.
+    rule : {"evenodd", "nonzero"}, optional
+        What is inside, where rings go round a point more than once. Without a rule both must agree.
+
+    Raises
+    ------
+    SceneError
+        If rings cross, or the two rules disagree and none is given; without a source.
+    """
+    clean: list[Ring] = []
+    for ring in rings:
+        kept = without_repeats(ring)
+        dropped = len(ring) - len(kept)
+        if ring and ring[0] == ring[-1]:
+            dropped -= 1  # the repeated last vertex, which closes the ring, is no flaw
+        notes.count("repeated vertices dropped", max(dropped, 0))
+        if len(set(kept)) < MIN_RING:
+            notes.count("rings without area dropped")
+        else:
+            clean.append(kept)
+    if not clean:
+        return []
+    if _reads_as_written(clean, rule) and _is_valid(clean):
+        return [clean]
+    try:
+        shapes = region_of(clean, rule)
+    except SceneError as error:
+        raise SceneError(error.problem, place, error.value) from None
+    if not shapes:
+        notes.count("rings without area dropped", len(clean))
+    elif len(clean) > 1 or len(shapes) > 1 or sum(map(len, shapes)) > 1:
+        notes.count("figures cut into simple rings where they touch themselves, region unchanged")
+    else:
+        notes.count("spikes without area cut off", 1)
+    return shapes
+
+
+def _reads_as_written(rings: list[Ring], rule: str | None) -> bool:
+    """Return whether an outer ring with holes in it, as a polygon is written, is what is meant.
+
+    By the even–odd rule it is; by the other, if the holes run against the outer ring.
+    """
+    if len(rings) == 1 or rule == "evenodd":
+        return True
+    outer = is_anticlockwise(rings[0])
+    return all(is_anticlockwise(ring) != outer for ring in rings[1:])
+
+
+def _is_valid(shape: Shape) -> bool:
+    """Return whether the rings are a valid polygon as they stand: outer ring first; exact."""
+    coords = np.array([p for ring in shape for p in ring], dtype=np.float64)
+    starts = np.cumsum([0, *map(len, shape)]).astype(np.uint32)
+    polygons = RawPolygons(
+        coords,
+        starts,
+        np.array([0, len(shape)], dtype=np.uint32),
+        ("",),
+        np.zeros(1, dtype=np.uint32),
+    )
+    return judged_exactly(polygons) is None

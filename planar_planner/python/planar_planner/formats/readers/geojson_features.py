@@ -1,0 +1,109 @@
+"""GeoJSON: a FeatureCollection whose features say in ``properties.role`` what they are.
+
+Roles: ``robot`` (in its own frame), ``obstacle`` (also without a role), ``workspace``, ``start``
+and ``goal`` (Points with ``properties.theta`` in radians), ``reference_bounds`` (a rectangle).
+A bare geometry or Feature without a role is an obstacle, or the robot where one is asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from planar_planner.errors import SceneError, shown
+from planar_planner.formats.outlines.shapes import position, repaired
+from planar_planner.formats.parts import ImportOptions, Notes, Parts, Shape
+from planar_planner.scene import fields
+from planar_planner.scene.fields import Box, Configuration
+
+ROLES = ("robot", "obstacle", "workspace", "start", "goal", "reference_bounds")
+
+
+def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
+    """Read a FeatureCollection, a Feature or a geometry."""
+    from planar_planner.scene.json_file import parse
+
+    del options
+    return parts_of(parse(data, str(path)), notes)
+
+
+def parts_of(content: object, notes: Notes) -> Parts:
+    """Return what GeoJSON content says."""
+    members = fields.mapping(content, "")
+    if members.get("type") != "FeatureCollection":
+        features: Any = [members]
+        places = [""]
+    else:
+        features = members.get("features")
+        if not isinstance(features, list):
+            raise SceneError("must be a list", "features", shown(features))
+        places = [f"features[{i}]" for i in range(len(features))]
+    parts = Parts(name=_text(members, "name"), description=_text(members, "description"))
+    parts.rotation = fields.truth(members.get("rotation", True), "rotation")
+    for place, feature in zip(places, features, strict=True):
+        _take(fields.mapping(feature, place), place, parts, notes)
+    return parts
+
+
+def _text(members: Mapping[str, object], name: str) -> str:
+    return fields.text(members.get(name, ""), name)
+
+
+def _take(feature: Mapping[str, object], place: str, parts: Parts, notes: Notes) -> None:
+    """Put one feature where its role says."""
+    dot = f"{place}." if place else ""
+    geometry: object = feature
+    properties: Mapping[str, object] = {}
+    if feature.get("type") == "Feature":
+        geometry = feature.get("geometry")
+        given = feature.get("properties")
+        properties = fields.mapping(given, f"{dot}properties") if given is not None else {}
+        dot += "geometry."
+    role = properties.get("role", "obstacle")
+    where = dot.rstrip(".")
+    if role not in ROLES:
+        hint = fields.suggestion(role, ROLES) if isinstance(role, str) else ""
+        raise SceneError(f"unknown role{hint}", f"{place}.properties.role", shown(role))
+    if role in ("start", "goal"):
+        if getattr(parts, role) is not None:
+            raise SceneError(f"a second {role}", where)
+        setattr(parts, role, _mark(geometry, properties, place, where))
+        return
+    shapes = repaired(_bare(geometry, where), where or "geometry", notes)
+    if role == "obstacle":
+        parts.obstacles += shapes
+    elif role == "robot":
+        parts.robot = [*(parts.robot or []), *shapes]
+    elif role == "workspace":
+        if parts.workspace is not None or len(shapes) != 1:
+            raise SceneError("the workspace must be one polygon", where)
+        parts.workspace = shapes[0]
+    else:
+        parts.reference_bounds = _rectangle(shapes, where)
+
+
+def _bare(geometry: object, where: str) -> object:
+    """Leave out members that other programs add to a geometry."""
+    members = fields.mapping(geometry, where)
+    return {k: v for k, v in members.items() if k in ("type", "coordinates", "geometries")}
+
+
+def _mark(
+    geometry: object, properties: Mapping[str, object], place: str, where: str
+) -> Configuration:
+    members = fields.mapping(geometry, where)
+    if members.get("type") != "Point":
+        raise SceneError(
+            "start and goal must be Points", f"{where}.type", shown(members.get("type"))
+        )
+    x, y = position(members.get("coordinates"), f"{where}.coordinates")
+    return x, y, fields.angle(properties.get("theta", 0.0), f"{place}.properties.theta")
+
+
+def _rectangle(shapes: list[Shape], where: str) -> Box:
+    points = {p for shape in shapes for ring in shape for p in ring}
+    xs, ys = sorted({x for x, _ in points}), sorted({y for _, y in points})
+    if len(shapes) != 1 or len(points) != 4 or len(xs) != 2 or len(ys) != 2:
+        raise SceneError("reference_bounds must be an axis-parallel rectangle", where)
+    return xs[0], ys[0], xs[1], ys[1]

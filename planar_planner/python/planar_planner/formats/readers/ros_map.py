@@ -1,0 +1,199 @@
+"""ROS maps: ``map.yaml`` with a PGM or PNG image of cells, and Nav2's footprint.
+
+Cells are judged as Nav2's map server does. The workspace is the map's rectangle, in which the whole
+robot stays: nothing is known outside it. A footprint may stand in the same file or in a parameter
+file given with ``--robot``; start and goal come from the command line.
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Iterator, Mapping
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from planar_planner.errors import SceneError, cut, shown
+from planar_planner.formats.outlines.occupancy import GridRing, grid_polygons
+from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point
+from planar_planner.formats.reading import require, text_of
+from planar_planner.formats.robots import from_footprint
+from planar_planner.scene import fields
+
+MAX_CELLS = 2**26
+"""Largest number of cells of a map, 8192 × 8192; reading takes some ten bytes a cell."""
+
+_MAX_DEPTH = 50  # of a parameter file
+_MAX_TEXT = 2**20  # bytes of a YAML file; its parser is slow, and such files are small
+_MAX_BRACKETS = 1000  # in it: the parser's time grows with the square of their nesting
+_MODES = ("trinary", "scale", "raw")
+
+
+def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
+    """Read a map, or a parameter file with a footprint if there is no image."""
+    content = fields.mapping(_yaml(data), "")
+    parts = Parts()
+    footprint = _footprint(content)
+    if footprint is not None:
+        padding = options.padding or footprint[1]
+        parts.robot = from_footprint(footprint[0], padding, "footprint", notes)
+    if "image" not in content:
+        if footprint is None:
+            raise SceneError("is missing; a map names its image", "image")
+        return parts
+    occupied = occupied_cells(content, path, unknown=options.unknown)
+    place = _Placement(content, occupied.shape)
+    parts.obstacles = [
+        [place.ring(ring) for ring in polygon] for polygon in grid_polygons(occupied)
+    ]
+    rows, columns = occupied.shape
+    parts.workspace = [place.ring([(0, 0), (columns, 0), (columns, rows), (0, rows)])]
+    kinds = "occupied and unknown" if options.unknown else "occupied"
+    notes.say(
+        f"{int(occupied.sum())} {kinds} cells of {columns} × {rows}, {place.resolution!r} wide, "
+        f"make {len(parts.obstacles)} polygons; the workspace is the map's rectangle"
+    )
+    return parts
+
+
+def occupied_cells(
+    content: Mapping[str, object], path: Path, *, unknown: bool
+) -> NDArray[np.bool_]:
+    """Return which cells are obstacles, the lowest row first.
+
+    With occupancy p = (255 − value) / 255, or value / 255 if ``negate``: occupied if p ≥
+    ``occupied_thresh``, free if p ≤ ``free_thresh``, unknown between. In mode ``scale`` what lies
+    between is partly occupied, which is unknown here, and transparent cells are unknown; in mode
+    ``raw`` the value is the occupancy in percent, and above 100 unknown.
+    """
+    name = fields.text(content.get("image"), "image")
+    mode = content.get("mode", "trinary")
+    if mode not in _MODES:
+        raise SceneError(f"must be one of {', '.join(_MODES)}", "mode", shown(mode))
+    occupied_at = fields.number(content.get("occupied_thresh", 0.65), "occupied_thresh")
+    free_at = fields.number(content.get("free_thresh", 0.25), "free_thresh")
+    if not 0 <= free_at < occupied_at <= 1:
+        raise SceneError("must be in order: 0 ≤ free_thresh < occupied_thresh ≤ 1", "free_thresh")
+    negate = content.get("negate", 0)
+    if negate not in (0, 1):
+        raise SceneError("must be 0 or 1", "negate", shown(negate))
+    values, opaque = _image(path.parent / name)
+    if mode == "raw":
+        known = np.rint(values) <= 100
+        share = np.rint(values) / 100
+    else:
+        known = opaque if mode == "scale" else np.ones_like(opaque)
+        share = values / 255 if negate else (255 - values) / 255
+    cells = known & (share >= occupied_at)
+    if unknown:
+        cells |= ~known | ((share > free_at) & (share < occupied_at))
+    return np.ascontiguousarray(cells[::-1])
+
+
+def _image(file: Path) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """Return the mean of the colours of each cell, 0 to 255, and whether it is opaque."""
+    from planar_planner.scene.json_file import file_bytes
+
+    data = file_bytes(file, str(file))
+    try:
+        mode, pixels = _decoded(data)
+    except SceneError as error:
+        raise error if error.source else error.in_source(str(file)) from None
+    except Exception as error:  # whatever a decoder raises on a broken file
+        raise SceneError(f"is no image: {cut(str(error))}", source=str(file)) from None
+    channels = pixels.reshape(*pixels.shape[:2], -1).astype(np.float64)
+    opaque = np.ones(pixels.shape[:2], dtype=np.bool_)
+    if mode in ("LA", "RGBA"):
+        opaque = channels[..., -1] == 255
+        channels = channels[..., :-1]
+    return channels.mean(axis=2), opaque
+
+
+def _decoded(data: bytes) -> tuple[str, NDArray[np.uint8]]:
+    """Return Pillow's name of the channels, and the pixels."""
+    image_module: Any = require("PIL.Image", "reading a map's image", "ros")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # on size, which is checked here
+        image = image_module.open(BytesIO(data), formats=("PPM", "PNG", "BMP"))
+        if image.size[0] * image.size[1] > MAX_CELLS:
+            raise SceneError(f"has more than {MAX_CELLS} cells")
+        if image.mode in ("P", "1"):
+            image = image.convert("RGBA" if image.mode == "P" else "L")
+        pixels = np.asarray(image)
+    if pixels.dtype != np.uint8 or image.mode not in ("L", "LA", "RGB", "RGBA"):
+        raise SceneError("must have 8 bits a channel", value=image.mode)
+    return image.mode, pixels
+
+
+class _Placement:
+    """Where the map's corner points lie in the world."""
+
+    def __init__(self, content: Mapping[str, object], shape: tuple[int, ...]) -> None:
+        self.resolution = fields.coordinate(content.get("resolution"), "resolution")
+        if self.resolution <= 0:
+            raise SceneError("must be positive", "resolution", shown(self.resolution))
+        origin = content.get("origin")
+        if not isinstance(origin, list) or len(origin) != 3:
+            raise SceneError("must be [x, y, yaw]", "origin", shown(origin))
+        x, y = (fields.coordinate(origin[k], f"origin[{k}]") for k in (0, 1))
+        yaw = fields.angle(origin[2], "origin[2]")
+        rows, columns = shape
+        # one rounding for the product and one for the sum, the same wherever a point is used
+        self._along = [k * self.resolution for k in range(max(rows, columns) + 1)]
+        self._origin = x, y
+        self._turn = (math.cos(yaw), math.sin(yaw)) if yaw else None
+
+    def point(self, column: int, row: int) -> Point:
+        (x, y), dx, dy = self._origin, self._along[column], self._along[row]
+        if self._turn is None:
+            return x + dx, y + dy
+        cos, sin = self._turn
+        return x + cos * dx - sin * dy, y + sin * dx + cos * dy
+
+    def ring(self, ring: GridRing) -> list[Point]:
+        """Return a ring of the grid's points in the world."""
+        return [self.point(*p) for p in ring]
+
+
+def _yaml(data: bytes) -> object:
+    yaml: Any = require("yaml", "reading a ROS map", "ros")
+    if len(data) > _MAX_TEXT:
+        raise SceneError(f"is larger than {_MAX_TEXT} bytes")
+    text = text_of(data)
+    if text.count("[") + text.count("{") > _MAX_BRACKETS:
+        raise SceneError(f"has more than {_MAX_BRACKETS} brackets, which no map has")
+    try:
+        aliases = any(isinstance(token, yaml.AliasToken) for token in yaml.scan(text))
+        content: object = None if aliases else yaml.safe_load(text)
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        place = f"line {mark.line + 1}" if mark is not None else ""
+        reason = getattr(error, "problem", None) or str(error)
+        raise SceneError(f"is not YAML: {cut(' '.join(reason.split()))}", place) from None
+    except (ValueError, RecursionError) as error:  # a date that is none, a number too large
+        raise SceneError(f"is not YAML: {cut(str(error))}") from None
+    if aliases:  # which can make little text into much content
+        raise SceneError("uses YAML aliases, which are not read")
+    return content
+
+
+def _footprint(content: Mapping[str, object]) -> tuple[str, float] | None:
+    """Return the first footprint in nested parameters, with its padding."""
+    for members in _mappings(content, 0):
+        if "footprint" in members:
+            footprint = members["footprint"]
+            text = footprint if isinstance(footprint, str) else repr(footprint)
+            padding = members.get("footprint_padding", 0.0)
+            return text, fields.coordinate(padding, "footprint_padding")
+    return None
+
+
+def _mappings(value: object, depth: int) -> Iterator[Mapping[str, object]]:
+    if isinstance(value, dict) and depth < _MAX_DEPTH:
+        yield value
+        for inner in value.values():
+            yield from _mappings(inner, depth + 1)

@@ -1,0 +1,69 @@
+"""Parking-competition cases (TPCAP): start, goal and obstacles as one run of numbers.
+
+x₀, y₀, θ₀, x₁, y₁, θ₁, the number n of obstacles, their n numbers of vertices, then all vertices
+as x, y. Written in a row or a column. The robot is the competition's car, its reference point the
+middle of the rear axle.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from planar_planner.errors import SceneError
+from planar_planner.formats.outlines.rings import polygons_of
+from planar_planner.formats.parts import ImportOptions, Notes, Parts, Shape
+from planar_planner.formats.reading import angle, coordinate, text_of, whole
+from planar_planner.scene.fields import Configuration
+
+REAR_OVERHANG = 0.929
+WHEELBASE = 2.8
+FRONT_OVERHANG = 0.96
+WIDTH = 1.942
+
+_FRONT = 3.76  # WHEELBASE + FRONT_OVERHANG; their sum as a double is this one
+CAR: Shape = [
+    [
+        (-REAR_OVERHANG, -WIDTH / 2),
+        (_FRONT, -WIDTH / 2),
+        (_FRONT, WIDTH / 2),
+        (-REAR_OVERHANG, WIDTH / 2),
+    ]
+]
+_MOST = 10**6  # obstacles of a case, and vertices of one
+
+
+def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
+    """Read a case."""
+    del path, options
+    values = re.split(r"[,;\s]+", text_of(data).strip(" ,;\t\r\n"))
+    if len(values) < 7:
+        found = len(values) if values[0] else 0
+        raise SceneError(f"a case begins with seven numbers, of which {found} are there")
+    names = [f"value {i + 1}" for i in range(len(values))]
+    start, goal = (_configuration(values, names, first) for first in (0, 3))
+    count = whole(values[6], f"{names[6]} (number of obstacles)", 0, _MOST)
+    sizes = []
+    for k in range(count):
+        place = f"value {8 + k} (vertices of obstacle {k + 1})"
+        if 7 + k >= len(values):
+            raise SceneError("is missing; the file ends before it", place)
+        sizes.append(whole(values[7 + k], place, 1, _MOST))
+    expected = 7 + count + 2 * sum(sizes)
+    if len(values) != expected:
+        raise SceneError(f"has {len(values)} values where {expected} were announced")
+    obstacles: list[Shape] = []
+    at = 7 + count
+    for k, size in enumerate(sizes):
+        ring = [
+            (coordinate(values[i], names[i]), coordinate(values[i + 1], names[i + 1]))
+            for i in range(at, at + 2 * size, 2)
+        ]
+        at += 2 * size
+        obstacles += polygons_of([ring], f"obstacle {k + 1}", notes)
+    return Parts(obstacles=obstacles, robot=[CAR], start=start, goal=goal)
+
+
+def _configuration(values: list[str], names: list[str], first: int) -> Configuration:
+    x, y = (coordinate(values[i], names[i]) for i in (first, first + 1))
+    return x, y, angle(values[first + 2], names[first + 2])

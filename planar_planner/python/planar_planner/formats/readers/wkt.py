@@ -1,0 +1,156 @@
+"""Well-known text, one geometry a line, with an optional role before it and ``#`` comments.
+
+``robot POLYGON ((…))``, ``obstacle …``, ``workspace …``, ``reference_bounds …``,
+``start POINT Z (x y theta)``, ``goal POINT Z (x y theta)``, ``rotation false``. Without a role a
+geometry is an obstacle. A geometry may go on over several lines until its brackets close.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from planar_planner.errors import SceneError, cut
+from planar_planner.formats.parts import ImportOptions, Notes, Parts
+from planar_planner.formats.readers import geojson_features
+from planar_planner.formats.reading import angle, coordinate, text_of
+
+_ROLE = re.compile(r"(?:([a-z_]+)\s*:?\s*)?(?=[A-Z])(.*)", re.DOTALL)
+_KIND = re.compile(
+    r"(?:SRID=\d+;)?\s*(POINT|POLYGON|MULTIPOLYGON|GEOMETRYCOLLECTION)\b\s*(ZM|Z|M)?\s*(.*)",
+    re.DOTALL,
+)
+_TOKEN = re.compile(r"[(),]|[^\s(),]+")
+_DEPTH = {"POLYGON": 2, "MULTIPOLYGON": 3}
+_NAMES = {"POLYGON": "Polygon", "MULTIPOLYGON": "MultiPolygon"}
+_STATES = 500  # most brackets inside each other; nothing legal needs more than four
+
+
+def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
+    """Read the geometries and their roles."""
+    del path, options
+    features: list[dict[str, Any]] = []
+    content: dict[str, Any] = {"type": "FeatureCollection", "features": features}
+    places: list[str] = []
+    for line, statement in _statements(text_of(data)):
+        place = f"line {line}"
+        if re.fullmatch(r"rotation\s+false", statement):
+            content["rotation"] = False
+            continue
+        match = _ROLE.fullmatch(statement)
+        if match is None:
+            raise SceneError(
+                "expected a role and a geometry such as POLYGON ((…))", place, cut(statement)
+            )
+        role, geometry = match[1] or "obstacle", match[2]
+        for feature in _features(role, geometry, place):
+            features.append(feature)
+            places.append(place)
+    try:
+        return geojson_features.parts_of(content, notes)
+    except SceneError as error:
+        raise _placed(error, places) from None
+
+
+def _placed(error: SceneError, places: list[str]) -> SceneError:
+    """Say the line instead of the number of the feature."""
+    match = re.match(r"features\[(\d+)\]\.?(?:geometry\.?)?(.*)", error.field)
+    if match is None:
+        return error
+    rest = match[2].replace("coordinates", "").lstrip(".")
+    where = f"{places[int(match[1])]}, {rest}" if rest else places[int(match[1])]
+    return SceneError(error.problem, where, error.value)
+
+
+def _statements(text: str) -> Iterator[tuple[int, str]]:
+    """Yield (number of the first line, text) of each statement; brackets keep one together."""
+    pending, first, depth = "", 0, 0
+    for number, line in enumerate(text.splitlines(), start=1):
+        content = line.partition("#")[0].strip().rstrip(";")
+        if not content:
+            continue
+        if not pending:
+            first = number
+        pending = f"{pending} {content}" if pending else content
+        depth += content.count("(") - content.count(")")
+        if depth <= 0:
+            yield first, pending
+            pending, depth = "", 0
+    if pending:
+        raise SceneError("a bracket is not closed", f"line {first}", cut(pending))
+
+
+def _features(role: str, text: str, place: str) -> Iterator[dict[str, Any]]:
+    match = _KIND.fullmatch(text)
+    if match is None:
+        raise SceneError(
+            "expected POINT, POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION", place, cut(text)
+        )
+    kind, dimension, body = match[1], match[2] or "", match[3]
+    if kind == "GEOMETRYCOLLECTION":
+        for part in _members(body, place):
+            yield from _features(role, part, place)
+        return
+    properties: dict[str, Any] = {"role": role}
+    if kind == "POINT":
+        numbers = body.strip().removeprefix("(").removesuffix(")").split()
+        if len(numbers) not in (2, 3):
+            raise SceneError("a POINT has x, y and, as Z, theta", place, cut(text))
+        x, y = (coordinate(number, place) for number in numbers[:2])
+        geometry: dict[str, Any] = {"type": "Point", "coordinates": [x, y]}
+        properties["theta"] = angle(numbers[2], place) if len(numbers) == 3 else 0.0
+    else:
+        if body.strip() == "EMPTY":
+            return
+        nested = _nested(body, place, len(dimension))
+        geometry = {"type": _NAMES[kind], "coordinates": nested}
+    yield {"type": "Feature", "properties": properties, "geometry": geometry}
+
+
+def _members(body: str, place: str) -> list[str]:
+    """Split the inside of a collection's brackets at its commas."""
+    inner = body.strip()
+    if not (inner.startswith("(") and inner.endswith(")")):
+        raise SceneError("a collection's members stand in brackets", place, cut(body))
+    parts, depth, begin = [], 0, 1
+    for i, character in enumerate(inner[1:-1], start=1):
+        depth += (character == "(") - (character == ")")
+        if character == "," and depth == 0:
+            parts.append(inner[begin:i].strip())
+            begin = i + 1
+    return [*parts, inner[begin:-1].strip()]
+
+
+def _nested(body: str, place: str, extra: int) -> list[Any]:
+    """Return the brackets as nested lists, positions as [x, y]."""
+    stack: list[list[Any]] = [[]]
+    numbers: list[float] = []
+
+    def position() -> None:
+        if numbers:
+            if not 2 <= len(numbers) <= 2 + max(extra, 2):
+                raise SceneError("a position must be x y", place, cut(str(numbers)))
+            stack[-1].append(numbers[:2])
+            numbers.clear()
+
+    for token in _TOKEN.findall(body):
+        if token == "(":
+            stack[-1].append([])
+            stack.append(stack[-1][-1])
+            if len(stack) > _STATES:
+                raise SceneError("is nested too deeply", place)
+        elif token in "),":
+            position()
+            if token == ")":
+                stack.pop()
+                if not stack:
+                    raise SceneError("a bracket closes that was not opened", place)
+        else:
+            numbers.append(coordinate(token, place))
+    position()
+    if len(stack) != 1 or len(stack[0]) != 1 or not isinstance(stack[0][0], list):
+        raise SceneError("brackets do not match", place, cut(body))
+    found: list[Any] = stack[0][0]
+    return found

@@ -1,0 +1,114 @@
+"""Which format a file is in, by its name's ending and its content, and who reads and writes it.
+
+Light to import: a reader and the libraries it needs are imported when a file of its kind is met.
+"""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from planar_planner.errors import SceneError
+from planar_planner.formats.parts import ImportOptions, Notes, Parts
+
+Reader = Callable[[bytes, Path, ImportOptions, Notes], Parts]
+Writer = Callable[[Parts, Path], Mapping[Path, bytes]]
+
+
+@dataclass(frozen=True)
+class Format:
+    """One outside format.
+
+    Attributes
+    ----------
+    title : str
+        For people.
+    suffixes : tuple of str
+        Endings of file names, in small letters.
+    reader, writer : str
+        Module in this package with a function ``read`` or ``write``; empty if there is none.
+    """
+
+    title: str
+    suffixes: tuple[str, ...]
+    reader: str
+    writer: str = ""
+
+
+OMPL_APP = Format("OMPL.app 2-D problem", (".cfg",), "ompl_app")
+COLLADA = Format("Collada mesh", (".dae",), "collada")
+ROS_MAP = Format("ROS map", (".yaml", ".yml"), "ros_map")
+YAP = Format("Yap-style environment", (".txt", ".env"), "yap", "yap")
+YAP_ROBOT = Format("Yap-style robot", (".rob",), "yap")
+TPCAP = Format("parking-competition case", (".csv",), "tpcap", "tpcap")
+WKT = Format("well-known text", (".wkt",), "wkt", "wkt")
+GEOJSON = Format("GeoJSON", (".geojson",), "geojson_features", "geojson")
+SVG = Format("SVG drawing", (".svg",), "svg", "svg")
+DXF = Format("DXF drawing", (".dxf",), "dxf", "dxf")
+
+
+FORMATS = (OMPL_APP, COLLADA, ROS_MAP, YAP, YAP_ROBOT, TPCAP, WKT, GEOJSON, SVG, DXF)
+
+_BY_SUFFIX = {suffix: kind for kind in FORMATS for suffix in kind.suffixes}
+_GEOJSON_TYPES = ("FeatureCollection", "Feature", "GeometryCollection", "Polygon", "MultiPolygon")
+_SNIFFED = (  # beginnings of files whose names do not tell
+    (b"[problem]", OMPL_APP),
+    (b"<COLLADA", COLLADA),
+    (b"<svg", SVG),
+    (b"POLYGON", WKT),
+    (b"MULTIPOLYGON", WKT),
+    (b"GEOMETRYCOLLECTION", WKT),
+)
+_SNIFFED_BYTES = 4096
+
+
+def known_suffix(name: str) -> bool:
+    """Return whether a name ends like a file in one of the formats."""
+    return Path(name).suffix.lower() in _BY_SUFFIX
+
+
+def kind_of_suffix(path: Path) -> Format | None:
+    """Return the format whose files end like a name; None if there is none."""
+    return _BY_SUFFIX.get(path.suffix.lower())
+
+
+def format_of(path: Path, data: bytes) -> Format | None:
+    """Return the outside format of a file; None if it is to be read as JSON."""
+    known = kind_of_suffix(path)
+    if known is not None:
+        return known
+    beginning = data[:_SNIFFED_BYTES].lstrip(b"\xef\xbb\xbf \t\r\n")
+    if path.suffix.lower() == ".json" or beginning.startswith(b"{"):
+        return None
+    return next((kind for mark, kind in _SNIFFED if mark in beginning), None)
+
+
+def is_geojson(content: object) -> bool:
+    """Return whether JSON content is GeoJSON rather than a scene."""
+    return (
+        isinstance(content, dict)
+        and "format" not in content
+        and content.get("type") in _GEOJSON_TYPES
+    )
+
+
+def read_parts(
+    kind: Format, path: Path, data: bytes, options: ImportOptions, notes: Notes
+) -> Parts:
+    """Read a file's content.
+
+    Raises
+    ------
+    SceneError
+        With the file's name, and the place and value in it that are wrong.
+    """
+    module = importlib.import_module(f"planar_planner.formats.readers.{kind.reader}")
+    reader: Reader = module.read
+    try:
+        return reader(data, path, options, notes)
+    except SceneError as error:
+        raise error if error.source else error.in_source(str(path)) from None
+    except RecursionError:
+        raise SceneError("is nested too deeply", source=str(path)) from None

@@ -1,0 +1,1 @@
+"""One module an outside format, with a function `write` that turns `Parts` into files."""

@@ -1,0 +1,105 @@
+"""The one door by which a scene comes in: a built-in name, a file of any format, a mapping.
+
+Geometry is judged later, by `planar_planner.problem`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from planar_planner.errors import SceneError
+from planar_planner.formats import registry
+from planar_planner.formats.importing import read_scene
+from planar_planner.formats.parts import ImportOptions
+from planar_planner.scene import fields
+from planar_planner.scene.builtin import builtin_scenes
+from planar_planner.scene.json_file import file_bytes, parse, plain_json
+from planar_planner.scene.model import Scene, _checked
+
+
+def load_scene(
+    scene: str | os.PathLike[str] | Mapping[str, Any], importing: ImportOptions | None = None
+) -> Scene:
+    """Read a scene.
+
+    Parameters
+    ----------
+    scene : str, path or mapping
+        The name of a built-in scene, the path of a scene file or of a file in an outside format
+        (``docs/formats.md``), or the content of a scene file. A string that names a built-in scene
+        is that scene; write ``./name`` for a file called the same. In a mapping, numpy arrays and
+        objects with ``__geo_interface__`` (shapely) are welcome.
+    importing : ImportOptions, optional
+        Start and goal to use instead of the scene's own, and for files in outside formats all that
+        they do not say.
+
+    Returns
+    -------
+    Scene
+        The raw scene. Geometry is checked when it is planned on.
+
+    Raises
+    ------
+    SceneError
+        If there is no such scene, or it is no JSON object with the right fields.
+    """
+    options = importing or ImportOptions()
+    if isinstance(scene, Mapping):
+        return _with_ends(_checked(plain_json(scene), "<dict>", "scene"), options)
+    if isinstance(scene, str):
+        known = builtin_scenes()
+        if scene in known:
+            content = parse(file_bytes(known[scene], scene), scene)
+            return _with_ends(_checked(content, scene, scene), options)
+        if not _looks_like_path(scene):
+            hint = fields.close_matches(scene, known) or "; the command list shows the names"
+            raise SceneError(f"no built-in scene and no file of this name{hint}", source=scene)
+    elif not isinstance(scene, os.PathLike):
+        raise TypeError(f"a scene is a name, a path or a mapping, not {type(scene).__name__}")
+    return _from_file(Path(scene), options)
+
+
+def _from_file(path: Path, options: ImportOptions) -> Scene:
+    """Read a file in any format; ends of the command line are in the file's frame."""
+    source = str(path)
+    data = file_bytes(path, source)
+    kind = registry.format_of(path, data)
+    if kind is None:
+        content = parse(data, source)
+        if not registry.is_geojson(content):
+            return _with_ends(_checked(content, source, path.stem), options)
+        kind = registry.GEOJSON
+    imported = read_scene(kind, path, data, options)
+    scene = _checked(imported.content, source, path.stem)
+    return replace(scene, notes=imported.notes, holds_for=imported.holds_for)
+
+
+def _with_ends(scene: Scene, options: ImportOptions) -> Scene:
+    """Put start and goal of the options in place of the scene's own; it leaves no other open."""
+    given = replace(options, start=None, goal=None)
+    for field in dataclasses.fields(given):
+        if getattr(given, field.name) != field.default:
+            name = "role" if field.name == "roles" else field.name
+            raise SceneError(
+                f"is a scene, and --{name} is for files in outside formats", source=scene.source
+            )
+    return replace(
+        scene,
+        start=scene.start if options.start is None else options.start,
+        goal=scene.goal if options.goal is None else options.goal,
+    )
+
+
+def _looks_like_path(text: str) -> bool:
+    """Whether an unknown name is to be opened as a file rather than reported as a misspelling."""
+    if "/" in text or os.sep in text or text.endswith(".json") or registry.known_suffix(text):
+        return True
+    try:
+        return text != "" and Path(text).exists()
+    except (OSError, ValueError):  # too long, or holds a null character: no such file
+        return False

@@ -1,0 +1,192 @@
+"""The pipeline of a margin: ends, the robot as it is, bisection, bottleneck."""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import dataclass
+from typing import cast
+
+import numpy as np
+
+from planar_planner.errors import OptionsError
+from planar_planner.load import load_scene
+from planar_planner.margins.body import Body, Family, Floats, geometry_of
+from planar_planner.margins.bracket import Bracket, Search
+from planar_planner.margins.ends import Ends, ends_of, scale_limit
+from planar_planner.margins.narrowest import find_bottleneck
+from planar_planner.margins.offset import Offsets
+from planar_planner.margins.result import Binding, By, Margin, NarrowPlace
+from planar_planner.margins.scaling import Centre, Scalings
+from planar_planner.margins.surroundings import Surroundings
+from planar_planner.planning.engine import Listener, make_core
+from planar_planner.planning.options import Options
+from planar_planner.planning.planner import SceneLike
+from planar_planner.problem.make import Problem, make_problem
+from planar_planner.scene.model import Scene
+
+DEFAULT_TOLERANCE = 1e-3
+"""Of a factor; of a distance as a part of half the diagonal of the robot's bounding box."""
+
+
+def margin(
+    scene: SceneLike,
+    options: Options | None = None,
+    *,
+    by: By = "offset",
+    about: Centre = "reference",
+    tolerance: float | None = None,
+    listener: Listener | None = None,
+    reuse: bool = True,
+) -> Margin:
+    """Bracket the largest robot for which a path from start to goal remains.
+
+    Parameters
+    ----------
+    scene : Scene, str, path or mapping
+        A loaded scene, or anything that `load_scene` takes.
+    options : Options, optional
+        Limits. The time is for all queries together, the others for each.
+    by : {"offset", "scale"}
+        Grow the robot by a distance, all round (shrink it, for a negative one), or scale it.
+    about : {"reference", "centroid"}
+        What scaling leaves in place: the origin of the robot's frame, or the robot's centroid.
+    tolerance : float, optional
+        Width of the bracket, in the scene's unit (by "offset") or of the factor (by "scale"). By
+        default 1/1000 of half the diagonal of the robot's bounding box, and 1/1000.
+    listener : callable, optional
+        Called about ten times a second during a query with its counts; False stops it all.
+    reuse : bool, optional
+        False: forget every path once it has answered; for measuring what re-use spares.
+
+    Returns
+    -------
+    Margin
+        A bracket with both ends proven.
+
+    Raises
+    ------
+    SceneError
+        If the scene is not valid or an end is outside the reference bounds. An end that collides is
+        no error: shrinking may free it.
+    OptionsError
+        If the tolerance is not a positive, finite number.
+    """
+    began = time.monotonic()
+    loaded = scene if isinstance(scene, Scene) else load_scene(scene)
+    problem = make_problem(loaded)
+    width = _tolerance(problem, by, tolerance)
+    around = Surroundings(problem)
+    ends = ends_of(problem, make_core(problem), around)
+    family: Family
+    if by == "scale":
+        scalings = Scalings(problem.robot, about)
+        family, (limit, binding) = scalings, scale_limit(problem, scalings, ends, 0.25 * width)
+    else:
+        family, limit, binding = Offsets(problem.robot), ends.limit, ends.binding
+    bracket = Bracket(family.vanishing, limit, binding=binding)
+    narrowest = _Narrowest(problem, by, around)
+    search = Search(
+        problem, family, options or Options(), listener, reuse=reuse, guess=narrowest.guess
+    )
+    search.ask(bracket, Body(problem.robot, family.neutral, family.neutral))
+    if bracket.lower >= family.neutral and not math.isfinite(bracket.upper):
+        bracket.lower = math.inf
+    elif not math.isfinite(bracket.upper):
+        bracket.reason = bracket.reason or "the robot as it is is undecided, and nothing is near"
+    else:
+        search.look_below(bracket, width)
+        search.narrow(bracket, width)
+    found = _Measured(problem, by, width, family.monotone, ends, bracket)
+    return _result(found, narrowest, time.monotonic() - began)
+
+
+def _tolerance(problem: Problem, by: By, tolerance: float | None) -> float:
+    if tolerance is not None:
+        if not (tolerance > 0.0 and math.isfinite(tolerance)):
+            raise OptionsError(f"tolerance must be positive and finite, not {tolerance!r}")
+        return float(tolerance)
+    if by == "scale":
+        return DEFAULT_TOLERANCE
+    extent = np.ptp(problem.robot.coords, axis=0)
+    return DEFAULT_TOLERANCE * 0.5 * math.hypot(*extent.tolist())
+
+
+class _Narrowest:
+    """Where a bracket's path, or the end that binds, has least room; looked for once a path."""
+
+    def __init__(self, problem: Problem, by: By, around: Surroundings) -> None:
+        self._problem = problem
+        self._by = by
+        self._around = around
+        self._last: tuple[Floats, NarrowPlace | None] | None = None
+
+    def of(self, bracket: Bracket) -> NarrowPlace | None:
+        """Return the narrowest place at the lower end, if there is a body with a path."""
+        if not len(bracket.path):
+            return None
+        ends = {"start": bracket.path[:1], "goal": bracket.path[-1:]}
+        if bracket.binding in ends:
+            return self._look(ends[bracket.binding], bracket)
+        if self._last is None or self._last[0] is not bracket.path:
+            self._last = bracket.path, self._look(bracket.path, bracket)
+        return self._last[1]
+
+    def guess(self, bracket: Bracket) -> float | None:
+        """Guess the margin: at the bottleneck a robot grown by the clearance just passes."""
+        place, body = self.of(bracket), bracket.lower_body
+        if place is None or body is None or self._by != "offset":
+            return None
+        return place.clearance + min(body.inner, 0.0)
+
+    def _look(self, path: Floats, bracket: Bracket) -> NarrowPlace | None:
+        body, problem = bracket.lower_body, self._problem
+        if body is None or body.polygons is None:
+            return None
+        robot = problem.robot if self._by == "offset" and body.inner >= 0.0 else body.polygons
+        found = find_bottleneck(path, robot, self._around, problem)
+        if found is None:
+            return None
+        (x, y, theta), clearance, contacts = found
+        return NarrowPlace((float(x), float(y), float(theta)), clearance, contacts)
+
+
+@dataclass(frozen=True, eq=False)
+class _Measured:
+    """What the bisection has established, and of what."""
+
+    problem: Problem
+    by: By
+    tolerance: float
+    monotone: bool
+    ends: Ends
+    bracket: Bracket
+
+
+def _result(found: _Measured, narrowest: _Narrowest, seconds: float) -> Margin:
+    bracket = found.bracket
+    lower, upper = bracket.lower_body, bracket.upper_body
+    vanishes = not len(bracket.path) and not bracket.reason
+    return Margin(
+        scene=found.problem.name,
+        by=found.by,
+        lower=bracket.lower,
+        upper=bracket.upper,
+        tolerance=found.tolerance,
+        monotone=found.monotone,
+        reason=bracket.reason,
+        binding="size" if vanishes else cast(Binding, bracket.binding),
+        start_clearance=found.ends.start,
+        goal_clearance=found.ends.goal,
+        bottleneck=narrowest.of(bracket),
+        path=_frozen(bracket.path),
+        robot_lower=None if lower is None else geometry_of(lower.polygons),
+        robot_upper=None if upper is None else geometry_of(upper.polygons),
+        counts=bracket.counts,
+        seconds=seconds,
+    )
+
+
+def _frozen(path: Floats) -> Floats:
+    path.setflags(write=False)
+    return path

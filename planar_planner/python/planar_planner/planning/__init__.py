@@ -1,0 +1,1 @@
+"""A problem is handed to the native core, and its answer becomes a result."""

@@ -1,0 +1,40 @@
+"""Start and goal: is the robot free there? Asked of the core before anything else is computed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from planar_planner._core import Core
+from planar_planner.errors import SceneError
+from planar_planner.problem.make import Problem, ends
+
+
+def check_placements(core: Core, problem: Problem, contact_tolerance: float) -> None:
+    """Reject a start or goal where the robot collides or is outside its bounds.
+
+    A region may lie in collision, wholly or in part: that is for the planner to find out. Touching
+    is legal. A depth up to `contact_tolerance` (length) counts as touching.
+
+    Raises
+    ------
+    SceneError
+        With the obstacle and how deep the robot is in it, or how far it is outside.
+    """
+    for field, q in ends(problem).items():
+        found = core.placement(q)
+        if found["state"] in ("colliding", "outside") and found["depth"] > contact_tolerance:
+            raise SceneError(explanation(found, problem), field, str(list(q)), problem.source)
+
+
+def explanation(found: dict[str, Any], problem: Problem) -> str:
+    """Return in words how a placement, of `Core.placement`, is not free."""
+    depth = f"{found['depth']:.6g}"
+    if found["what"] == "obstacle":
+        polygon = found["polygon"]
+        obstacle = f"obstacles[{problem.obstacle_indices[polygon]}]"
+        path = problem.obstacle_paths[polygon]
+        part = "" if path == f"{obstacle}.coordinates" else f" (at {path})"
+        return f"robot collides with {obstacle}{part}, penetration depth {depth}"
+    if found["what"] == "reference_bounds":
+        return f"reference point is outside reference_bounds by {depth}"
+    return f"robot is outside the workspace by {depth}"

@@ -1,0 +1,213 @@
+"""The pipeline: scene → problem → core → verdict."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+
+from planar_planner._core import Core
+from planar_planner.errors import SceneError
+from planar_planner.explain.cells import Cells, make_cells
+from planar_planner.explain.thinnest_place import Bottleneck, make_bottleneck
+from planar_planner.explain.wall import wall_of
+from planar_planner.load import load_scene
+from planar_planner.planning.certificate import make_certificate
+from planar_planner.planning.engine import Listener, ask, make_core
+from planar_planner.planning.options import Options
+from planar_planner.planning.placement import check_placements
+from planar_planner.planning.result import Result, Undecided, make_result
+from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.make import Problem, make_problem, with_query
+from planar_planner.scene.model import Scene
+
+_SHORT_CUTS = ("cheap", "probe")  # parts that answer before there is a cell (native/ablation.hpp)
+
+SceneLike = Scene | str | os.PathLike[str] | Mapping[str, Any]
+
+
+def solve(
+    scene: SceneLike,
+    options: Options | None = None,
+    *,
+    listener: Listener | None = None,
+    certificate: bool = False,
+) -> Result:
+    """Decide whether the robot can get from start to goal.
+
+    Parameters
+    ----------
+    scene : Scene, str, path or mapping
+        A loaded scene, or anything that `load_scene` takes.
+    options : Options, optional
+        Limits of the search.
+    listener : callable, optional
+        Called about ten times a second with running counts; returning False stops the search.
+    certificate : bool, optional
+        Also make the certificate of a path or of its absence (docs/certificate.md).
+
+    Returns
+    -------
+    PathFound, NoPath or Undecided
+        A path certified free, a proof that there is none, or neither within the limits.
+
+    Raises
+    ------
+    SceneError
+        If the scene is not valid, or start or goal collide or are out of bounds.
+    """
+    return Planner(scene).solve(options=options, listener=listener, certificate=certificate)
+
+
+class Planner:
+    """A scene with its subdivision: each query starts from the cells of those before.
+
+    Parameters
+    ----------
+    scene : Scene, str, path or mapping
+        A loaded scene, or anything that `load_scene` takes.
+    cells_only : bool, optional
+        Answer by cells even where a straight move, a disc or a first try by random trees would do,
+        so that there are cells to look at. Slower; answers are proven all the same, but some are
+        undecided that are not without it.
+
+    Raises
+    ------
+    SceneError
+        If the scene is not valid.
+    """
+
+    def __init__(self, scene: SceneLike, *, cells_only: bool = False) -> None:
+        self.scene = scene if isinstance(scene, Scene) else load_scene(scene)
+        self.problem = make_problem(self.scene)
+        self._without = _SHORT_CUTS if cells_only else ()
+        self._core: Core | None = make_core(self.problem, self._without)
+        self._asked = self.problem  # with the ends of the last query
+        self._busy = threading.Lock()
+
+    def solve(
+        self,
+        start: Sequence[float] | None = None,
+        goal: Sequence[float] | Mapping[str, Any] | str | GoalRegion | None = None,
+        options: Options | None = None,
+        *,
+        listener: Listener | None = None,
+        certificate: bool = False,
+    ) -> Result:
+        """Decide whether the robot can get from start to goal.
+
+        Parameters
+        ----------
+        start : (x, y, theta), optional
+            Configuration instead of the scene's own; theta in radians.
+        goal : (x, y, theta), mapping or "escape", optional
+            Goal instead of the scene's own, in any form that a scene file may use.
+        options, listener, certificate : optional
+            As for `planar_planner.solve`.
+
+        Returns
+        -------
+        PathFound, NoPath or Undecided
+            As of `planar_planner.solve`.
+
+        Raises
+        ------
+        SceneError
+            If start or goal is of no legal form, or a configuration that collides or is out of
+            bounds.
+        RuntimeError
+            If a query of this planner is being answered, by another thread or around the listener.
+        """
+        limits = options or Options()
+        query = with_query(self.problem, start, goal)
+        with self._idle():
+            try:
+                return self._answer(query, limits, listener, certificate)
+            except MemoryError:
+                return Undecided(query.name, "out of memory", np.empty((0, 3)), {})
+
+    def cells(self) -> Cells:
+        """Return the cells that the queries so far have left.
+
+        There are none if no query has needed any: if a straight move, a disc in the robot's place
+        or a first try by random trees has answered. Ask a planner made with ``cells_only=True`` to
+        have them in any case.
+
+        Raises
+        ------
+        RuntimeError
+            If a query of this planner is being answered.
+        """
+        with self._idle():
+            core = self._core or make_core(self.problem, self._without)
+            return make_cells(core.cells())
+
+    def bottleneck(self) -> Bottleneck | None:
+        """Return where the last query's proof of absence is nearest to failing.
+
+        None if it was not answered so, by cells or by a disc in the robot's place.
+
+        Raises
+        ------
+        RuntimeError
+            If a query of this planner is being answered.
+        """
+        with self._idle():
+            return None if self._core is None else make_bottleneck(self._core.bottleneck())
+
+    def wall(self) -> Cells | None:
+        """Return the FULL cells and faces that separate the last query's start from its goal.
+
+        As few of them as possible; a face is a cell without extent along its normal. None if the
+        last query was not answered so, by cells or by a disc in the robot's place.
+
+        Raises
+        ------
+        RuntimeError
+            If a query of this planner is being answered.
+        """
+        with self._idle():
+            if self._core is None:
+                return None
+            certificate = make_certificate(self._asked, self._core.evidence(), 0.0)
+            return wall_of(self._asked, certificate or {})
+
+    @contextmanager
+    def _idle(self) -> Iterator[None]:
+        """Keep others from asking meanwhile; refuse if a query is being answered."""
+        if not self._busy.acquire(blocking=False):
+            raise RuntimeError("a planner answers one query at a time")
+        try:
+            yield
+        finally:
+            self._busy.release()
+
+    def _answer(
+        self, query: Problem, limits: Options, listener: Listener | None, certificate: bool
+    ) -> Result:
+        """Ask the core.
+
+        It is kept for the next query only if it has answered this one: an exception, of a listener
+        or for want of memory, may have left cells half divided.
+        """
+        core = self._core or make_core(self.problem, self._without)
+        self._core = None
+        self._asked = query
+        try:
+            check_placements(core, query, limits.contact_tolerance)
+        except SceneError:
+            self._core = core
+            raise
+        answer = ask(core, query, limits, listener)
+        answer["stats"]["least_clearance"] = core.least_clearance()
+        evidence = core.evidence() if certificate else None
+        self._core = core
+        if evidence is None:
+            return make_result(query.name, answer)
+        return make_result(
+            query.name, answer, make_certificate(query, evidence, limits.contact_tolerance)
+        )
