@@ -80,9 +80,9 @@ __all__ = [
 def __getattr__(name: str) -> Any:
     """Import a public name on first use, so that the command line starts without numpy."""
     if name == "__version__":
-        from importlib.metadata import version
+        from planar_planner.version import package_version
 
-        globals()[name] = version("planar-planner")
+        globals()[name] = package_version()
         return globals()[name]
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -10,6 +10,7 @@ from typing import Any
 
 from planar_planner.cli.terminal import has_colours
 from planar_planner.errors import cut, one_line
+from planar_planner.scene.builtin import builtin_scenes
 
 EXIT_USAGE = 2
 
@@ -111,6 +112,4 @@ def _did_you_mean(name: str, known: Iterable[str]) -> str:
 
 def _scene_hint(name: str) -> str:
     """Return what to type if a scene stands where a command belongs."""
-    from planar_planner.scene.builtin import builtin_scenes
-
     return f"; it is a scene: planar-planner solve {name}" if name in builtin_scenes() else ""

@@ -9,7 +9,9 @@ from importlib import import_module
 from typing import Any
 
 from planar_planner.cli.arguments.shared import VERDICTS
+from planar_planner.cli.build_details import build_details
 from planar_planner.cli.command_parser import CommandParser
+from planar_planner.output_files import emit
 
 COMMANDS = {  # name → module here, in the order of the help
     "solve": "solve",
@@ -44,9 +46,6 @@ class _Version(argparse.Action):
     """Look the details up only when they are asked for."""
 
     def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> None:
-        from planar_planner.cli.build_details import build_details
-        from planar_planner.output_files import emit
-
         emit(build_details())
         parser.exit()
 
@@ -75,6 +74,7 @@ def make_parser(command: str | None = None) -> CommandParser:
         "--version", action=_Version, nargs=0, help="show the version and build details and exit"
     )
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    parser.set_defaults(whole_parser=make_parser)
     for name in [command] if command else COMMANDS:
         import_module(f"planar_planner.cli.commands.{COMMANDS[name]}").add(commands)
     return parser

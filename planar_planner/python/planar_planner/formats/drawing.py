@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from planar_planner.errors import SceneError
 from planar_planner.formats.outlines.curves import Outline, control_points, first_point, flattened
 from planar_planner.formats.outlines.exact import contains, is_anticlockwise
+from planar_planner.formats.outlines.figure import EVENODD, Figure
 from planar_planner.formats.outlines.rings import MIN_RING, polygons_of, without_repeats
 from planar_planner.formats.parts import (
     INWARDS,
@@ -28,28 +29,6 @@ from planar_planner.scene.fields import Box, Configuration
 
 DEFAULT_TOLERANCE = 1e-3
 """Of the drawing's larger extent, if the user names no tolerance; curves then take few edges."""
-
-EVENODD = "evenodd"
-NONZERO = "nonzero"
-
-
-@dataclass(frozen=True)
-class Figure:
-    """Closed outlines that belong together: an outer one and holes.
-
-    Attributes
-    ----------
-    outlines : tuple of Outline
-        In the drawing's coordinates, y upwards.
-    rule : {"evenodd", "nonzero"}
-        What is inside.
-    place : str
-        For messages.
-    """
-
-    outlines: tuple[Outline, ...]
-    rule: str
-    place: str
 
 
 @dataclass

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from planar_planner.errors import SceneError
+from planar_planner.formats.assemble import scene_content
 from planar_planner.formats.parts import ImportOptions, Notes
 from planar_planner.formats.registry import Format, read_parts
 
@@ -28,7 +29,6 @@ def read_scene(kind: Format, path: Path, data: bytes, options: ImportOptions) ->
     SceneError
         If the file is wrong, or does not say everything and the options do not either.
     """
-    from planar_planner.formats.assemble import scene_content
     from planar_planner.formats.robots import chosen_robot
 
     notes = Notes()

@@ -12,6 +12,7 @@ from planar_planner.formats.outlines.rings import polygons_of
 from planar_planner.formats.outlines.shapes import shapes_of_geometry
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point, Shape
 from planar_planner.scene import fields
+from planar_planner.scene.json_file import file_bytes, parse
 
 
 def chosen_robot(options: ImportOptions, notes: Notes) -> list[Shape] | None:
@@ -63,8 +64,6 @@ def _padded(value: float, padding: float) -> float:
 
 def _from_file(path: Path, options: ImportOptions, notes: Notes) -> list[Shape]:
     """Return the robot of a file, or its only shape if none is called the robot."""
-    from planar_planner.scene.json_file import file_bytes, parse
-
     data = file_bytes(path, str(path))
     kind = registry.format_of(path, data)
     if kind is None:

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from planar_planner.load import load_scene
+from planar_planner.ompl.samplers import import_ompl
 from planar_planner.problem.make import Problem, make_problem
 
 WARM_UP = 0.05
@@ -47,8 +48,6 @@ def run(request: Mapping[str, Any]) -> dict[str, Any]:
         OMPL calls it, through Python) and ``native_check_ns`` (the check itself), ``ompl``
         (version).
     """
-    from planar_planner.ompl.samplers import import_ompl
-
     util = import_ompl("util")
     util.setLogLevel(util.LogLevel.LOG_NONE)
     problem = make_problem(load_scene(request["scene"]))

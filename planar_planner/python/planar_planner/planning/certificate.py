@@ -18,6 +18,7 @@ from planar_planner.problem.fingerprint import fingerprint
 from planar_planner.problem.goal import GoalRegion
 from planar_planner.problem.make import Problem
 from planar_planner.scene.fields import Configuration
+from planar_planner.version import package_version
 
 FORMAT = "planar-planner/certificate"
 VERSION = 1
@@ -44,15 +45,13 @@ def make_certificate(
     dict or None
         A JSON object; None for an undecided answer.
     """
-    from planar_planner import __version__
-
     kind = evidence["kind"]
     if kind == "none":
         return None
     content: Certificate = {
         "format": FORMAT,
         "version": VERSION,
-        "made_by": f"planar-planner {__version__}",
+        "made_by": f"planar-planner {package_version()}",
         "scene": fingerprint(problem),
         "verdict": "path" if kind == "path" else "no_path",
         "robot_pieces": evidence["robot_pieces"],

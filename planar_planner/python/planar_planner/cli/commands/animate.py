@@ -22,6 +22,7 @@ from planar_planner.cli.commands.solve import EXIT_STATUS, one_sided, print_verd
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
 from planar_planner.errors import one_line
+from planar_planner.films.pace import Pace
 from planar_planner.output_files import check_writable, complain, emit, written_aside
 
 ANIMATION_SUFFIXES = (*FILM_SUFFIXES, ".html")
@@ -107,7 +108,6 @@ def run(arguments: argparse.Namespace) -> int:
     from planar_planner.films.canvas import check_size
     from planar_planner.films.film import DEFAULT_SIZE, check_film, write_film
     from planar_planner.films.material import gather
-    from planar_planner.films.pace import Pace
     from planar_planner.films.page import PAGE_SUFFIX, write_page
     from planar_planner.planning.planner import Planner
 

@@ -19,6 +19,7 @@ from planar_planner.cli.arguments.shared import (
 )
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
+from planar_planner.ompl.comparison import table, to_json
 from planar_planner.ompl.samplers import DEFAULT_SAMPLERS
 from planar_planner.output_files import check_writable, emit, written_aside
 
@@ -69,7 +70,6 @@ def add(commands: Any) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Compare, and report scene by scene; then JSON and picture. 0 unless the input is wrong."""
     from planar_planner.ompl.compare import Settings, check_scene, compare, require_ompl
-    from planar_planner.ompl.comparison import table, to_json
 
     settings = Settings(
         planners=tuple(part.strip() for part in arguments.planners.split(",") if part.strip()),

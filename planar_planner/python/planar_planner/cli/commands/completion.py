@@ -27,5 +27,5 @@ def add(commands: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the script."""
-    emit(completion_script(arguments.shell))
+    emit(completion_script(arguments.shell, arguments.whole_parser()))
     return 0

@@ -18,6 +18,7 @@ from planar_planner.cli.arguments.shared import (
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
 from planar_planner.cli.terminal import VERDICT_STYLES, styled
+from planar_planner.margins.text import margin_details, margin_headline
 from planar_planner.output_files import check_writable, complain, emit, written_aside
 
 _STATUS = (
@@ -78,7 +79,6 @@ def run(arguments: argparse.Namespace) -> int:
         check_writable(arguments.plot)
     scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
     from planar_planner.margins.find import margin  # only now: a misspelt name is answered at once
-    from planar_planner.margins.text import margin_details, margin_headline
 
     with Progress(sys.stderr, "checking the scene", quiet=arguments.quiet) as progress:
         found = margin(

@@ -7,6 +7,7 @@ import sys
 import time
 from typing import Any
 
+from planar_planner.checker.form import CertificateError
 from planar_planner.cli.arguments.importing import add_importing, scene_of
 from planar_planner.cli.arguments.limits import add_contact_tolerance
 from planar_planner.cli.arguments.shared import add_command, add_json, add_scene
@@ -59,7 +60,6 @@ def run(arguments: argparse.Namespace) -> int:
 def _finding(scene: Any, certificate: str, tolerance: float) -> tuple[int, dict[str, Any]]:
     """Return the exit status, and the finding as JSON."""
     from planar_planner.checker.case import Rejected
-    from planar_planner.checker.form import CertificateError
     from planar_planner.checker.verify import verify_certificate  # takes numpy
 
     began = time.monotonic()

@@ -9,7 +9,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from planar_planner.errors import SceneError
-from planar_planner.formats.drawing import EVENODD, Figure
 from planar_planner.formats.outlines.curves import (
     Outline,
     Piece,
@@ -20,6 +19,7 @@ from planar_planner.formats.outlines.curves import (
     straight,
 )
 from planar_planner.formats.outlines.exact import contains
+from planar_planner.formats.outlines.figure import EVENODD, Figure
 from planar_planner.formats.parts import Notes, Point, Ring
 
 Run = list[Piece]

@@ -16,14 +16,13 @@ from planar_planner.formats.outlines.shapes import position, repaired
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Shape
 from planar_planner.scene import fields
 from planar_planner.scene.fields import Box, Configuration
+from planar_planner.scene.json_file import parse
 
 ROLES = ("robot", "obstacle", "workspace", "start", "goal", "reference_bounds")
 
 
 def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
     """Read a FeatureCollection, a Feature or a geometry."""
-    from planar_planner.scene.json_file import parse
-
     del options
     return parts_of(parse(data, str(path)), notes)
 

@@ -11,6 +11,7 @@ from planar_planner.formats.parts import ImportOptions, Notes, Parts
 from planar_planner.formats.readers.collada import Mesh, centred, mesh_of, region
 from planar_planner.formats.reading import angle, coordinate, text_of
 from planar_planner.scene.fields import Box, Configuration
+from planar_planner.scene.json_file import file_bytes
 
 _BOUNDS = ("volume.min.x", "volume.min.y", "volume.max.x", "volume.max.y")
 _SPATIAL = ("start.z", "goal.z", "volume.min.z", "volume.max.z")
@@ -39,8 +40,6 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
 
 
 def _mesh(problem: Mapping[str, str], key: str, path: Path) -> Mesh:
-    from planar_planner.scene.json_file import file_bytes
-
     name = (problem.get(key) or "").strip()
     if not name:
         raise SceneError("is missing", f"[problem] {key}")

@@ -23,6 +23,7 @@ from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point
 from planar_planner.formats.reading import require, text_of
 from planar_planner.formats.robots import from_footprint
 from planar_planner.scene import fields
+from planar_planner.scene.json_file import file_bytes
 
 MAX_CELLS = 2**26
 """Largest number of cells of a map, 8192 × 8192; reading takes some ten bytes a cell."""
@@ -96,8 +97,6 @@ def occupied_cells(
 
 def _image(file: Path) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     """Return the mean of the colours of each cell, 0 to 255, and whether it is opaque."""
-    from planar_planner.scene.json_file import file_bytes
-
     data = file_bytes(file, str(file))
     try:
         mode, pixels = _decoded(data)

@@ -15,9 +15,10 @@ from typing import Any
 from xml.etree import ElementTree
 
 from planar_planner.errors import SceneError, cut, shown
-from planar_planner.formats.drawing import EVENODD, NONZERO, Drawing, Figure, mark_of, parts_of
+from planar_planner.formats.drawing import Drawing, mark_of, parts_of
 from planar_planner.formats.outlines import curves
 from planar_planner.formats.outlines.curves import Affine, Outline, Piece
+from planar_planner.formats.outlines.figure import EVENODD, NONZERO, Figure
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point
 from planar_planner.formats.reading import coordinate, require
 from planar_planner.formats.roles import role_of
