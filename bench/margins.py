@@ -6,10 +6,9 @@ certification for the next body). Writes ``bench/results/margins.csv``.
 
 from __future__ import annotations
 
-from provenance import print_provenance, use_one_core, write_csv
-from shipped import with_point_goals
-
+from lib.provenance import print_provenance, use_one_core, write_csv
 from planar_planner import Margin, margin
+from worlds.shipped import with_point_goals
 
 HEADER = (
     "scene",

@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from pathlib import PurePosixPath
 
 import pytest
+
 from architecture.import_graph import (
     ROOT,
     Where,

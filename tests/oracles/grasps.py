@@ -9,6 +9,8 @@ from scipy.optimize import linprog
 from pdg.grasp import Contact, frictionless, point_contact, soft_finger
 from pdg.sets import ConvexSet
 
+Array = NDArray[np.float64]
+
 
 def random_contacts(random: np.random.Generator, count: int, space: int = 3) -> list[Contact]:
     """Contacts of every kind, anywhere."""
@@ -29,11 +31,14 @@ def force_closed(random: np.random.Generator, count: int = 4, soft: bool = True)
     """Contacts on a sphere about the origin in all directions: force closure as a rule."""
     directions = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], dtype=float)
     points = directions[np.arange(count) % 4] + 0.25 * random.normal(size=(count, 3))
-    make = soft_finger if soft else lambda p, n, mu, _: point_contact(p, n, mu)
-    return [make(p, -p, random.uniform(0.3, 0.8), random.uniform(0.2, 0.6)) for p in points]
+    contacts = []
+    for p in points:
+        mu, mu_s = random.uniform(0.3, 0.8), random.uniform(0.2, 0.6)
+        contacts.append(soft_finger(p, -p, mu, mu_s) if soft else point_contact(p, -p, mu))
+    return contacts
 
 
-def wrench(contact: Contact, forces: NDArray) -> NDArray:
+def wrench(contact: Contact, forces: Array) -> Array:
     """Force and torque about the origin, straight from mechanics, of each row of forces."""
     f = forces[..., :1] * contact.normal + forces[..., 1 : len(contact.position)] @ contact.tangents
     p = contact.position
@@ -44,7 +49,7 @@ def wrench(contact: Contact, forces: NDArray) -> NDArray:
     return np.concatenate([f, torque], axis=-1)
 
 
-def forces_on_boundary(random: np.random.Generator, contact: Contact, count: int) -> NDArray:
+def forces_on_boundary(random: np.random.Generator, contact: Contact, count: int) -> Array:
     """Forces with f_1 = 1 on the boundary of the friction cone, tested against its definition."""
     k = 1 if len(contact.position) == 2 else 3
     x = random.normal(size=(count, k))
@@ -60,7 +65,7 @@ def forces_on_boundary(random: np.random.Generator, contact: Contact, count: int
 
 
 def sampled_support(
-    random: np.random.Generator, contacts: list[Contact], u: NDArray, norm: str, idle: bool
+    random: np.random.Generator, contacts: list[Contact], u: Array, norm: str, idle: bool
 ) -> float:
     """Greatest u · w over sampled forces: from below, by a little."""
     each = [float((wrench(c, forces_on_boundary(random, c, 20000)) @ u).max()) for c in contacts]
@@ -70,7 +75,7 @@ def sampled_support(
 
 def least_ratio(
     A: ConvexSet, Q: ConvexSet, sampled: int = 20000, descents: int = 4, seed: int = 0
-) -> tuple[float, NDArray]:
+) -> tuple[float, Array]:
     """Least h_A(u)/h_Q(u) found, and u: an upper bound of d_Q(A).
 
     The best of many directions, and descents by `polished` from the best of them.
@@ -82,9 +87,7 @@ def least_ratio(
     return min((polished(A, Q, u[k], seen) for k in order), key=lambda end: end[0])
 
 
-def polished(
-    A: ConvexSet, Q: ConvexSet, u: NDArray, points: list[NDArray]
-) -> tuple[float, NDArray]:
+def polished(A: ConvexSet, Q: ConvexSet, u: Array, points: list[Array]) -> tuple[float, Array]:
     """Go down from u: min h_A(v) over s_Q(u) · v = 1, a convex problem, then again from v.
 
     As h_Q(v) ≥ s_Q(u) · v, the ratio never grows. Each problem by cutting planes (linear

@@ -107,12 +107,12 @@ class Page:
             return np.asarray(image.convert("RGB")).astype(int)
 
 
-def said(chrome: webdriver.Chrome) -> list[str]:
+def said(chrome: Any) -> list[str]:
     """Return whatever the console has said since this was last asked."""
     return [entry["message"] for entry in chrome.get_log("browser")]
 
 
-def requested(chrome: webdriver.Chrome) -> list[str]:
+def requested(chrome: Any) -> list[str]:
     """Return the addresses that pages have asked for since this was last asked, their own too."""
     messages = [json.loads(entry["message"])["message"] for entry in chrome.get_log("performance")]
     return [

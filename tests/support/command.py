@@ -13,5 +13,5 @@ COMMAND = [sys.executable, "-P", "-m", "planar_planner"]
 def parsers() -> dict[str, CommandParser]:
     """Return the parser of every command, and that of the program under the empty name."""
     parser = make_parser()
-    (commands,) = (a for a in parser._actions if isinstance(a.choices, dict))
-    return {"": parser, **commands.choices}
+    (commands,) = (a.choices for a in parser._actions if isinstance(a.choices, dict))
+    return {"": parser, **commands}

@@ -35,13 +35,11 @@ def on_terminal(
     controller, terminal = pty.openpty()
     fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
     inherited = {k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "COLUMNS", "LINES")}
-    targets = {
-        name: terminal if name in streams else subprocess.PIPE for name in ("stdout", "stderr")
-    }
     process = subprocess.Popen(
         [*COMMAND, *arguments],
         stdin=terminal,
-        **targets,
+        stdout=terminal if "stdout" in streams else subprocess.PIPE,
+        stderr=terminal if "stderr" in streams else subprocess.PIPE,
         env=inherited | {"TERM": "xterm-256color"} | environment,
         cwd=folder,
     )

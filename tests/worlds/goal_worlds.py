@@ -12,8 +12,8 @@ from shapely.affinity import affine_transform
 from planar_planner import Options, Planner
 from planar_planner.checker.verify import verify_certificate
 from planar_planner.planning.result import Result
+from worlds.scene import Scene
 
-Scene = dict[str, Any]
 LIMITS = Options(timeout=20.0)
 
 
@@ -42,7 +42,15 @@ def slot(height: float, goal: Any, **more: Any) -> Scene:
 def cage(gap: float, goal: Any) -> Scene:
     """Return a disc-like robot of diameter 2 in a C whose mouth is `gap` wide."""
     ring = [[math.cos(k * math.pi / 8), math.sin(k * math.pi / 8)] for k in range(16)]
-    outline = [[0, 0], [8, 0], [8, 4 - gap / 2], [7, 4 - gap / 2], [7, 1], [1, 1], [1, 7]]
+    outline: list[list[float]] = [
+        [0, 0],
+        [8, 0],
+        [8, 4 - gap / 2],
+        [7, 4 - gap / 2],
+        [7, 1],
+        [1, 1],
+        [1, 7],
+    ]
     outline += [[7, 7], [7, 4 + gap / 2], [8, 4 + gap / 2], [8, 8], [0, 8]]
     return {
         "format": "planar-planner/scene",
@@ -72,8 +80,9 @@ def in_goal(goal: Any, q: list[float]) -> bool:
     """Whether a configuration is in a goal that has polygons; by shapely, up to rounding."""
     point = shapely.Point(q[:2])
     if "escape" in goal:
-        return not shapely.from_geojson(shapely_text(goal["escape"])).buffer(-1e-9).contains(point)
-    inside = shapely.from_geojson(shapely_text(goal["region"])).buffer(1e-9).contains(point)
+        inside = shapely.from_geojson(shapely_text(goal["escape"])).buffer(-1e-9).contains(point)
+        return not inside
+    inside = bool(shapely.from_geojson(shapely_text(goal["region"])).buffer(1e-9).contains(point))
     angles = goal.get("theta", "any")
     if angles == "any":
         return inside

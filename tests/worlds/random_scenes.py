@@ -1,17 +1,15 @@
-"""Random small scenes, and maps of a scene that keep its verdict."""
+"""Random small scenes with free ends, by seed; every kind of robot, obstacle and workspace."""
 
 from __future__ import annotations
 
-import copy
 import math
-from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
-Scene = dict[str, Any]
+from worlds.scene import Scene, plain
+
 SIZE = 10.0  # side of the domain
 TRIES = 400
 
@@ -122,110 +120,3 @@ def random_scene(seed: int) -> Scene:
             continue
         return plain({**scene, "start": start, "goal": goal})
     raise ValueError(f"no scene for seed {seed}")
-
-
-def plain(scene: Scene) -> Scene:
-    """Tuples as lists, as in a file."""
-
-    def convert(value: Any) -> Any:
-        if isinstance(value, dict):
-            return {key: convert(item) for key, item in value.items()}
-        return [convert(item) for item in value] if isinstance(value, (list, tuple)) else value
-
-    converted: Scene = convert(scene)
-    return converted
-
-
-def _map_geometry(value: Any, change: Callable[[list[float]], list[float]]) -> Any:
-    if isinstance(value[0], (int, float)):
-        return change(value)
-    return [_map_geometry(item, change) for item in value]
-
-
-def _mapped(
-    scene: Scene,
-    world: Callable[[list[float]], list[float]],
-    body: Callable[[list[float]], list[float]],
-    angle: Callable[[float], float],
-) -> Scene:
-    """The scene with its world and the robot's own frame mapped; boxes stay boxes."""
-    out = copy.deepcopy(scene)
-    for key, change in (("robot", body),):
-        out[key]["coordinates"] = _map_geometry(out[key]["coordinates"], change)
-    for shape in out["obstacles"]:
-        shape["coordinates"] = _map_geometry(shape["coordinates"], world)
-
-    def box(values: list[float]) -> list[float]:
-        low, high = world(values[:2]), world(values[2:])
-        corners = np.array([low, high])
-        return [*corners.min(axis=0).tolist(), *corners.max(axis=0).tolist()]
-
-    if "reference_bounds" in out:
-        out["reference_bounds"] = box(out["reference_bounds"])
-    room = out.get("workspace")
-    if room is not None and "box" in room:
-        room["box"] = box(room["box"])
-    elif room is not None:
-        room["coordinates"] = _map_geometry(room["coordinates"], world)
-    for end in ("start", "goal"):
-        x, y, theta = out[end]
-        out[end] = [*world([x, y]), angle(theta)]
-    return out
-
-
-def quarter_turned(scene: Scene) -> Scene:
-    """World turned by 90 degrees: exact in the coordinates, rounded in the angles."""
-
-    def world(p: list[float]) -> list[float]:
-        return [-p[1], p[0]]
-
-    return _mapped(scene, world, lambda p: p, lambda a: a + 0.5 * math.pi)
-
-
-def turned_body(scene: Scene) -> Scene:
-    """The robot drawn at another angle in its own frame."""
-
-    def body(p: list[float]) -> list[float]:
-        return [p[1], -p[0]]
-
-    return _mapped(scene, lambda p: p, body, lambda a: a + 0.5 * math.pi)
-
-
-def mirrored(scene: Scene) -> Scene:
-    """World and robot mirrored in the x axis."""
-
-    def flip(p: list[float]) -> list[float]:
-        return [p[0], -p[1]]
-
-    return _mapped(scene, flip, flip, lambda a: -a)
-
-
-def translated(scene: Scene, by: tuple[float, float]) -> Scene:
-    """World moved; coordinates are rounded."""
-
-    def shift(p: list[float]) -> list[float]:
-        return [p[0] + by[0], p[1] + by[1]]
-
-    return _mapped(scene, shift, lambda p: p, lambda a: a)
-
-
-def scaled(scene: Scene, factor: float) -> Scene:
-    """World and robot in other units."""
-
-    def grow(p: list[float]) -> list[float]:
-        return [factor * p[0], factor * p[1]]
-
-    return _mapped(scene, grow, grow, lambda a: a)
-
-
-def exchanged(scene: Scene) -> Scene:
-    """Start and goal exchanged."""
-    return {**copy.deepcopy(scene), "start": scene["goal"], "goal": scene["start"]}
-
-
-def wound(scene: Scene) -> Scene:
-    """The goal some whole turns further round."""
-    x, y, theta = scene["goal"]
-    if scene.get("rotation", True):
-        theta += 6.0 * math.pi
-    return {**copy.deepcopy(scene), "goal": [x, y, theta]}

@@ -7,7 +7,7 @@ import pytest
 import shapely
 
 import pdg
-from worlds.bodies import blob, convex
+from worlds.bodies.random_bodies import blob, convex
 
 
 def vertices(geometry: shapely.Geometry) -> set[tuple[float, float]]:

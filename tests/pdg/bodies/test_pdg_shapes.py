@@ -10,7 +10,7 @@ import pytest
 import shapely
 
 import pdg
-from worlds.bodies import blob
+from worlds.bodies.random_bodies import blob
 
 RING = [(0.0, 0.0), (4.0, 0.0), (4.0, 1.0), (1.0, 1.0), (1.0, 3.0), (0.0, 3.0)]
 ELL = shapely.Polygon(RING)

@@ -6,10 +6,12 @@ import math
 
 import numpy as np
 import pytest
-from depth_parts.agreement import FAMILIES, failures, measure
-from depth_parts.integer_depth import exact_depth, placed_vertices
 
 import pdg
+from oracles.exact.depths import exact_depth
+from oracles.placing import placed
+from support.depth_agreement import failures, measure
+from worlds.bodies.convex_pairs import FAMILIES
 
 SQUARE = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
 
@@ -23,7 +25,7 @@ def test_the_oracle_knows_cases_done_by_hand() -> None:
     assert exact_depth(moved(2, 0), SQUARE) == ("touching", 0.0)
     assert exact_depth(moved(5, 6), SQUARE) == ("apart", -5.0)
     assert exact_depth(moved(1.5, 0.25), SQUARE) == ("overlap", 0.5)
-    turned = placed_vertices(SQUARE, np.array([0, 0, math.pi / 4]))
+    turned = placed(SQUARE, np.array([0, 0, math.pi / 4]))
     assert exact_depth(turned, SQUARE).depth == pytest.approx(1 + math.sqrt(2), rel=1e-15)
     segment = np.array([(-3.0, 0.0), (3.0, 0.0), (1.0, 0.0)])
     assert exact_depth(segment, SQUARE) == ("overlap", 1.0)
@@ -54,7 +56,7 @@ def test_what_rounding_leaves_of_a_sliver_still_has_a_depth() -> None:
     speck = sliver * 1e-40
     for body, depth in ((sliver, 0.75), (speck, 0.75)):
         got = pdg.translational_depth(body, SQUARE, (-0.25, 0.25, 0.0))
-        left = placed_vertices(body, np.array([-0.25, 0.25, 0.0]))
+        left = placed(body, np.array([-0.25, 0.25, 0.0]))
         assert (got.state, got.depth) == exact_depth(left, SQUARE) == ("overlap", depth)
         assert pdg.translational_depth(body, SQUARE, (0.0, 1.0, 0.0)).state == "touching"
         assert pdg.translational_depth(body, SQUARE, (0.0, 1.5, 0.0)).depth == -0.5

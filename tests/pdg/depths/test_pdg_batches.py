@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import pdg
-from worlds.bodies import blob, convex
+from worlds.bodies.random_bodies import blob, convex
 
 SQUARE = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
 HUGE = 1.2e150 * SQUARE

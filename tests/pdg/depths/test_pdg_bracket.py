@@ -10,7 +10,8 @@ import shapely
 from numpy.typing import NDArray
 
 import pdg
-from worlds.bodies import blob, convex, placed
+from oracles.placing import placed
+from worlds.bodies.random_bodies import blob, convex
 
 Pose = tuple[float, float, float]
 HAMMER = shapely.Polygon(

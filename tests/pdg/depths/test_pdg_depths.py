@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import pdg
-from worlds.bodies import blob, convex, placed
+from oracles.placing import placed
+from worlds.bodies.random_bodies import blob, convex
 
 Pose = tuple[float, float, float]
 

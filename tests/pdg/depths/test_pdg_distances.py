@@ -6,11 +6,12 @@ import math
 
 import numpy as np
 import pytest
-from depth_parts.exact_depth import exact_displacement
 from numpy.typing import NDArray
 
 import pdg
-from worlds.bodies import blob, convex, placed
+from oracles.exact.depths import exact_displacement
+from oracles.placing import placed
+from worlds.bodies.random_bodies import blob, convex
 
 Pose = tuple[float, float, float]
 SQUARE = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])

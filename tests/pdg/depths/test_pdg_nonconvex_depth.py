@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from shapely import affinity
 
 import pdg
-from worlds.bodies import blob, placed
+from oracles.placing import placed
+from worlds.bodies.random_bodies import blob
 
 Pose = tuple[float, float, float]
 BLOCK = shapely.box(-4, -4, 4, 4)

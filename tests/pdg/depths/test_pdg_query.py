@@ -10,7 +10,8 @@ import pytest
 import shapely
 
 import pdg
-from worlds.bodies import blob, convex, placed
+from oracles.placing import placed
+from worlds.bodies.random_bodies import blob, convex
 
 METHODS = ("published", "displacement", "per-normal")
 SQUARE = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])

@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
-from depth_models import Model, models
 from numpy.typing import NDArray
 from scipy.optimize import linprog
 
 import pdg
-from worlds.bodies import blob, convex, placed
+from oracles.placing import placed
+from worlds.bodies.paper_models import Model, models
+from worlds.bodies.random_bodies import blob, convex
 
 Pose = tuple[float, float, float]
 SAMPLES = 21

@@ -12,7 +12,8 @@ import shapely
 
 from planar_planner import Options, Planner, SceneError, margin, solve
 from worlds.goal_worlds import LIMITS, Scene, answer, cage, in_goal, moved, rectangle, shape, slot
-from worlds.random_scenes import plain, random_scene
+from worlds.random_scenes import random_scene
+from worlds.scene import plain
 
 BEYOND = rectangle(7, 2, 9, 8)
 TOLERANCES = [1e-2, 1e-4, 1e-7]

@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 import shapely
 
-import worlds.random_scenes as maps
 from planar_planner import Options, solve
-from worlds.random_scenes import Scene, random_scene
+from worlds import simple_maps as maps
+from worlds.maps import exchanged
+from worlds.random_scenes import blob, random_scene
+from worlds.scene import Scene, plain
 
 OPTIONS = Options(max_cells=50_000)
 SEEDS = range(400, 440)
@@ -23,7 +25,7 @@ CHANGES: dict[str, Callable[[Scene], Scene]] = {
     "moved far": lambda scene: maps.translated(scene, (-1e6, 1e6)),
     "in thousandths": lambda scene: maps.scaled(scene, 1e-3),
     "in millions": lambda scene: maps.scaled(scene, 1e6),
-    "ends exchanged": maps.exchanged,
+    "ends exchanged": exchanged,
     "goal wound": maps.wound,
 }
 
@@ -63,14 +65,14 @@ def gate(width: float, obstacles: list[dict[str, Any]], robot: dict[str, Any]) -
         "start": [2.0, 5.0, 0.3],
         "goal": [8.0, 5.0, -0.4],
     }
-    return maps.plain(scene)
+    return plain(scene)
 
 
 @pytest.mark.parametrize("seed", range(4))
 def test_verdicts_are_monotone_in_a_gate(seed: int) -> None:
     """Nested scenes: once there is a path, every wider gate has one too."""
     rng = np.random.default_rng(seed)
-    robot = shapely.geometry.mapping(maps.blob(rng, 1.5, convex=seed % 2 == 0))
+    robot = shapely.geometry.mapping(blob(rng, 1.5, convex=seed % 2 == 0))
     low, high = 1e-3, 4.0
     assert solve(gate(low, [], robot), OPTIONS).verdict == "no_path"
     assert solve(gate(high, [], robot), OPTIONS).verdict == "path"

@@ -61,7 +61,7 @@ def has_region(scene: Json) -> bool:
 
 
 def is_path(certificate: Json) -> bool:
-    return certificate["verdict"] == "path"
+    return bool(certificate["verdict"] == "path")
 
 
 def separates(certificate: Json) -> bool:

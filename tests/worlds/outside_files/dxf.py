@@ -6,13 +6,13 @@ import io
 from collections.abc import Callable
 from typing import Any
 
-import ezdxf
+from ezdxf.document import Drawing
 
 Draw = Callable[[Any], object]
 
 
 def dxf(*draw: Draw, ends: bool = True) -> str:
-    document = ezdxf.new("R2000")
+    document = Drawing.new("R2000")
     space = document.modelspace()
     if ends:
         box(space, "robot", -1, -1, 1, 1)

@@ -13,7 +13,8 @@ def dae(
     thick: float = 1.0,
 ) -> str:
     """Return closed prisms over boxes in the plane of (x, z), as Z_UP files of OMPL.app have it."""
-    points, triangles = [], []
+    points: list[tuple[float, float, float]] = []
+    triangles: list[tuple[int, int, int]] = []
     for xmin, ymin, xmax, ymax in boxes:
         at = len(points)
         corners = [(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)]
