@@ -26,7 +26,7 @@ def gears(width: float = NARROWEST) -> Family:
     ------
     RuntimeError
         If the planner is undecided before the bracket is that narrow.
-    Rejected
+    CertificateRejected
         If the checker does not accept a certificate.
     """
     blocked, passing = gear.JAMMED_GAP, gear.PATH_GAP

@@ -12,10 +12,15 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from planar_planner.checker.case import Rejected
-    from planar_planner.checker.form import CertificateError
     from planar_planner.checker.verify import verify_certificate
-    from planar_planner.errors import OptionsError, SceneError
+    from planar_planner.errors import (
+        CertificateError,
+        CertificateRejected,
+        OptionsError,
+        OutputError,
+        PlannerError,
+        SceneError,
+    )
     from planar_planner.explain.cells import Cells, cells_of, cells_on_path, theta_slice
     from planar_planner.explain.thinnest_place import Bottleneck
     from planar_planner.load import load_scene
@@ -31,14 +36,16 @@ if TYPE_CHECKING:
 _HOMES = {
     "Bottleneck": "explain.thinnest_place",
     "Cells": "explain.cells",
-    "CertificateError": "checker.form",
+    "CertificateError": "errors",
+    "CertificateRejected": "errors",
     "Margin": "margins.result",
     "NoPath": "planning.result",
     "Options": "planning.options",
     "OptionsError": "errors",
+    "OutputError": "errors",
     "PathFound": "planning.result",
     "Planner": "planning.planner",
-    "Rejected": "checker.case",
+    "PlannerError": "errors",
     "Result": "planning.result",
     "Scene": "scene.model",
     "SceneError": "errors",
@@ -56,13 +63,15 @@ __all__ = [
     "Bottleneck",
     "Cells",
     "CertificateError",
+    "CertificateRejected",
     "Margin",
     "NoPath",
     "Options",
     "OptionsError",
+    "OutputError",
     "PathFound",
     "Planner",
-    "Rejected",
+    "PlannerError",
     "Result",
     "Scene",
     "SceneError",

@@ -6,9 +6,8 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
-from planar_planner.checker.case import Rejected
-from planar_planner.checker.form import CertificateError
 from planar_planner.checker.verify import verify_certificate
+from planar_planner.errors import CertificateError
 from planar_planner.planning.result import Result
 
 
@@ -27,7 +26,7 @@ def certificate_failure(
     content = json.loads(json.dumps(result.certificate, allow_nan=False))
     try:
         report = verify_certificate(scene, content, contact_tolerance)
-    except (Rejected, CertificateError) as error:
+    except CertificateError as error:
         return f"{type(error).__name__}: {error}"
     if report.verdict != result.verdict:
         return f"it proves {report.verdict}"

@@ -13,9 +13,9 @@ import shapely
 
 from planar_planner import load_scene
 from planar_planner.checker.absence import has_angle
-from planar_planner.checker.case import Rejected
 from planar_planner.checker.goal_area import GoalArea, in_polygon, meets_box
 from planar_planner.checker.verify import verify_certificate
+from planar_planner.errors import CertificateRejected
 from planar_planner.problem.fingerprint import fingerprint
 from planar_planner.problem.make import make_problem
 from worlds.goal_worlds import Scene, answer, rectangle, slot
@@ -37,7 +37,7 @@ def for_scene(content: dict[str, Any], scene: Scene) -> dict[str, Any]:
 
 
 def rejected(scene: Scene, content: dict[str, Any], reason: str) -> None:
-    with pytest.raises(Rejected, match=reason):
+    with pytest.raises(CertificateRejected, match=reason):
         verify_certificate(scene, content)
 
 
@@ -85,7 +85,7 @@ def test_a_contact_tolerance_does_not_widen_the_goal() -> None:
     x = content["waypoints"][-1][0]
     other = slot(0.6, {"region": rectangle(x + 1e-3, 2, 9, 8)})
     content = for_scene(content, other) | {"contact_tolerance": 0.01}
-    with pytest.raises(Rejected, match="is outside the goal"):
+    with pytest.raises(CertificateRejected, match="is outside the goal"):
         verify_certificate(other, content, contact_tolerance=0.01)
 
 

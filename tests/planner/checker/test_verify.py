@@ -19,7 +19,6 @@ from planar_planner.checker.arithmetic import BITS, ONE, PI, WORK, Extent, _cros
 from planar_planner.checker.case import (
     Case,
     Piece,
-    Rejected,
     check_partition,
     check_pieces,
     convex_piece,
@@ -29,6 +28,7 @@ from planar_planner.checker.collisions import check_full, check_overlap, negativ
 from planar_planner.checker.form import read_certificate, units
 from planar_planner.checker.path import make_motion, not_negative, swept
 from planar_planner.checker.verify import verify_certificate
+from planar_planner.errors import CertificateRejected
 from planar_planner.load import load_scene
 from planar_planner.problem.make import make_problem
 from worlds.hand_made_certificates import HAND_MADE, WHOLE, Json, hand_made, rectangle, signed
@@ -130,7 +130,7 @@ def test_overlap_holds_in_the_whole_box(seed: int) -> None:
         try:
             check_overlap(case, "", (0, 0, 0, 0), at)
             full = True
-        except Rejected:
+        except CertificateRejected:
             full = False
         samples = [
             (x + a * half, y + b * half, 2 * math.pi * (k + c) / (1 << level))
@@ -236,7 +236,7 @@ def test_partitions_by_an_independent_triangulation() -> None:
             [*pieces, pieces[0]],
             [[(x + 1, y) for x, y in pieces[0]], *pieces[1:]],
         ):
-            with pytest.raises(Rejected, match="partition"):
+            with pytest.raises(CertificateRejected, match="partition"):
                 check_partition("", rings, wrong)
 
 
@@ -249,7 +249,7 @@ def test_partition_with_vertices_on_sides() -> None:
         [(1, 2), (4, 2), (4, 4), (1, 4)],
     )
     check_partition("", [square], [left, low, high])
-    with pytest.raises(Rejected):
+    with pytest.raises(CertificateRejected):
         check_partition("", [square], [left, low, [(1, 2), (4, 2), (4, 4), (1, 3)]])
 
 
@@ -268,7 +268,7 @@ def test_partition_with_vertices_on_sides() -> None:
     ],
 )
 def test_not_convex(vertices: list[tuple[int, int]]) -> None:
-    with pytest.raises(Rejected, match="convex"):
+    with pytest.raises(CertificateRejected, match="convex"):
         convex_piece("", vertices, obstacle=True)
 
 
@@ -292,13 +292,13 @@ def test_angles_of_start_and_goal_are_taken_modulo_a_turn(theta: float, side: in
     scene, certificate = hand_made("turning_wall")
     certificate["start_side"] = [certificate["start_side"][side]]
     scene["start"] = scene["goal"] = [2, 1, theta]
-    with pytest.raises(Rejected, match="may hold the goal"):
+    with pytest.raises(CertificateRejected, match="may hold the goal"):
         verify_certificate(scene, signed(scene, certificate))
     scene["goal"] = [8, 1, 0]
-    with pytest.raises(Rejected, match="neither shared nor FULL"):
+    with pytest.raises(CertificateRejected, match="neither shared nor FULL"):
         verify_certificate(scene, signed(scene, certificate))
     certificate["start_side"][0][2][1] = 1 - side
-    with pytest.raises(Rejected, match="does not hold the start"):
+    with pytest.raises(CertificateRejected, match="does not hold the start"):
         verify_certificate(scene, signed(scene, certificate))
 
 
@@ -307,7 +307,7 @@ def test_an_angle_at_the_seam_is_on_both_sides() -> None:
     for side in (0, 1):
         scene["start"] = scene["goal"] = [2, 1, 0]
         one = {**certificate, "start_side": [certificate["start_side"][side]]}
-        with pytest.raises(Rejected, match="may hold the goal"):
+        with pytest.raises(CertificateRejected, match="may hold the goal"):
             verify_certificate(scene, signed(scene, one))
 
 
@@ -315,10 +315,10 @@ def test_an_angle_at_the_seam_is_on_both_sides() -> None:
 def test_an_angle_too_near_the_seam_is_on_neither_side_for_sure(theta: float) -> None:
     scene, certificate = hand_made("turning_wall")
     scene["start"] = [2, 1, theta]
-    with pytest.raises(Rejected, match="does not hold the start"):
+    with pytest.raises(CertificateRejected, match="does not hold the start"):
         verify_certificate(scene, signed(scene, certificate))
     scene |= {"start": [8, 1, 0], "goal": [2, 1, theta]}
-    with pytest.raises(Rejected, match="may hold the goal"):
+    with pytest.raises(CertificateRejected, match="may hold the goal"):
         verify_certificate(scene, signed(scene, certificate))
 
 
@@ -326,12 +326,12 @@ def test_contact_tolerance_must_be_allowed() -> None:
     scene, certificate = hand_made("over_block")
     certificate["waypoints"][0][0] -= 2.0**-10
     certificate["contact_tolerance"] = 2.0**-10
-    with pytest.raises(Rejected, match="contact_tolerance"):
+    with pytest.raises(CertificateRejected, match="contact_tolerance"):
         verify_certificate(scene, certificate)
     report = verify_certificate(scene, certificate, contact_tolerance=0.5)
     assert report.contact_tolerance == 2.0**-10
     certificate["contact_tolerance"] = 2.0**-11
-    with pytest.raises(Rejected, match="elsewhere"):
+    with pytest.raises(CertificateRejected, match="elsewhere"):
         verify_certificate(scene, certificate, contact_tolerance=0.5)
 
 
@@ -374,7 +374,7 @@ def grid_certificate(scene: Json, levels: tuple[int, int, int]) -> Json | None:
                 continue  # for speed alone: a box with a free corner cannot be FULL
             try:
                 check_full(case, "", claim, extent("", domain, box))
-            except Rejected:
+            except CertificateRejected:
                 continue
             return claim
         return None
@@ -434,7 +434,7 @@ def test_a_grid_alone_certifies_a_blocked_slot() -> None:
     report = verify_certificate(scene, certificate)
     assert report.claims > 500
     wider = slot_scene(0.4)
-    with pytest.raises(Rejected):
+    with pytest.raises(CertificateRejected):
         verify_certificate(wider, signed(wider, certificate))
 
 

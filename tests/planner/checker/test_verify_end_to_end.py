@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from planar_planner.checker.case import Rejected
 from planar_planner.checker.verify import verify_certificate
 from planar_planner.cli.main import main
+from planar_planner.errors import CertificateRejected
 from planar_planner.load import load_scene
 from planar_planner.planning.options import Options
 from planar_planner.planning.planner import Planner
@@ -44,7 +44,7 @@ def test_a_certificate_is_of_its_query_alone() -> None:
     assert verify_certificate(scene, there).verdict == "path"
     assert verify_certificate(swapped, back).verdict == "path"
     for wrong in ((scene, back), (swapped, there)):
-        with pytest.raises(Rejected, match="scene"):
+        with pytest.raises(CertificateRejected, match="scene"):
             verify_certificate(*wrong)
 
 
@@ -65,6 +65,6 @@ def test_ends_moved_off_contact_need_the_same_tolerance() -> None:
     )
     certificate = result.certificate
     assert certificate is not None
-    with pytest.raises(Rejected, match="contact_tolerance"):
+    with pytest.raises(CertificateRejected, match="contact_tolerance"):
         verify_certificate(scene, certificate)
     assert verify_certificate(scene, certificate, contact_tolerance=1e-3).verdict == "path"

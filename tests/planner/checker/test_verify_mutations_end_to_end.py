@@ -10,9 +10,8 @@ from functools import cache
 import pytest
 
 from planar_planner.checker import absence, case, collisions, path, verify
-from planar_planner.checker.case import Rejected
-from planar_planner.checker.form import CertificateError
 from planar_planner.checker.verify import verify_certificate
+from planar_planner.errors import CertificateError, CertificateRejected
 from planar_planner.load import load_scene
 from planar_planner.planning.planner import Planner
 from worlds.certificate_mutations import MUTATIONS, Json, mutant
@@ -64,7 +63,7 @@ def verdicts(mutation: str) -> dict[str, str]:
     for name, scene, certificate in mutants(mutation):
         try:
             verify_certificate(scene, certificate)
-        except Rejected as rejected:
+        except CertificateRejected as rejected:
             found[name] = str(rejected.args[1])
         except CertificateError as error:
             found[name] = f"unreadable: {error}"
@@ -125,7 +124,7 @@ def test_without_a_demand_some_mutant_passes(text: str, monkeypatch: pytest.Monk
         assert made is not None
         try:
             verify_certificate(*made)
-        except Rejected:
+        except CertificateRejected:
             return False
         return True
 

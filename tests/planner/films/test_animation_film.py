@@ -12,14 +12,13 @@ import pytest
 from PIL import Image
 
 from planar_planner import Planner
-from planar_planner.errors import OptionsError
+from planar_planner.errors import OptionsError, OutputError
 from planar_planner.explain.cells import LABEL_COLOURS, LABELS
 from planar_planner.films import gif, mp4
 from planar_planner.films.film import check_film, film_frames, write_film
 from planar_planner.films.gif import write_gif
 from planar_planner.films.material import Material, gather
 from planar_planner.films.pace import Pace
-from planar_planner.output_files import OutputError
 from planar_planner.pictures import MIDWAY
 
 SIZE = (240, 200)

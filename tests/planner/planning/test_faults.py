@@ -13,6 +13,7 @@ import pytest
 
 import planar_planner
 from planar_planner.cli.main import main
+from planar_planner.errors import OutputError
 from support.stand_in_core import FakeCore
 
 
@@ -148,7 +149,7 @@ def test_memory_that_runs_out_while_writing_keeps_the_old_file(
     command = importlib.import_module("planar_planner.cli.commands.solve")
     monkeypatch.setattr(Path, "write_text", write_text)
     arguments = main.__globals__["parse"](["solve", scene_file, "--json", str(file)])
-    with pytest.raises(main.__globals__["OutputError"], match="out of memory"):
+    with pytest.raises(OutputError, match="out of memory"):
         command.run(arguments)
     assert file.read_text() == "old"
     assert sorted(f.name for f in tmp_path.iterdir()) == ["out.json", "small.json"]

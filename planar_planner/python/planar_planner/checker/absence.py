@@ -9,10 +9,11 @@ from itertools import chain, product
 from typing import Any
 
 from planar_planner.checker.arithmetic import PI, Extent, Region, _apart, _dot, _region, fixed
-from planar_planner.checker.case import NORMALS, Case, Pose, Rejected, convex_piece, demand, find
+from planar_planner.checker.case import NORMALS, Case, Pose, convex_piece, demand, find
 from planar_planner.checker.collisions import check_full, negative_edge
 from planar_planner.checker.form import LEVELS, UNIT
 from planar_planner.checker.goal_area import GoalArea
+from planar_planner.errors import CertificateRejected
 
 Box = tuple[tuple[int, int], tuple[int, int], tuple[int, int]]  # level and index on each axis
 
@@ -168,7 +169,7 @@ def check_end(case: Case, content: Mapping[str, Any]) -> int:
     """Check that the start or the goal is not free."""
     end = case.start if content["end"] == "start" else case.goal
     if isinstance(end, GoalArea):
-        raise Rejected("end", "is a region, not a configuration")
+        raise CertificateRejected("end", "is a region, not a configuration")
     t, theta = end
     if "reference_bounds" in content:
         demand(not case.in_bounds(t), "reference_bounds", "the reference point is not outside")

@@ -20,8 +20,9 @@ from planar_planner.checker.arithmetic import (
     _region,
     _sides,
 )
-from planar_planner.checker.form import Finding, units
+from planar_planner.checker.form import units
 from planar_planner.checker.goal_area import GoalArea
+from planar_planner.errors import CertificateRejected
 from planar_planner.problem.goal import GoalRegion
 from planar_planner.problem.make import Polygons, Problem
 
@@ -43,14 +44,10 @@ Pair = tuple[int, int, int, int]  # p, i, q, j
 Axis = tuple[str, int]  # an edge of a pair: owner and number
 
 
-class Rejected(Finding):
-    """The first claim found that is false, or that the certificate does not prove."""
-
-
 def demand(holds: bool, place: str, problem: str) -> None:
     """Reject the certificate unless a claim holds."""
     if not holds:
-        raise Rejected(place, problem)
+        raise CertificateRejected(place, problem)
 
 
 class Edge(NamedTuple):
@@ -87,7 +84,7 @@ def find(place: str, things: Any, *names: Any) -> Any:
         for name in names:
             things = things[name]
     except LookupError:
-        raise Rejected(place, f"names what is not there: {names}") from None
+        raise CertificateRejected(place, f"names what is not there: {names}") from None
     return things
 
 

@@ -15,23 +15,14 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+from planar_planner.errors import CertificateError
+
 UNIT = 320  # bits after the binary point of lengths: they hold scenes' doubles and corners of boxes
 LEVELS = 60  # deepest dyadic box
 MAX_BYTES, MAX_VALUES = 2**28, 2**24  # of a certificate, uncompressed: they bound time and memory
 WALLS = ("x_min", "x_max", "y_min", "y_max")
 
 Source = str | os.PathLike[str] | Mapping[str, Any]
-
-
-class Finding(Exception):  # noqa: N818  (a rejection, too, is one)
-    """What is wrong, and where: `args` are place and problem."""
-
-    def __str__(self) -> str:
-        return ": ".join(filter(None, self.args))  # place, problem
-
-
-class CertificateError(Finding, ValueError):
-    """A certificate that cannot be read: the place, and what is expected there."""
 
 
 def units(number: float) -> int:
@@ -97,7 +88,7 @@ def _inner(name: str | int, value: Any, spec: Any) -> Any:
     try:
         return _read(value, spec)
     except CertificateError as error:
-        place, problem = error.args
+        place, problem = error.place, error.problem
         own = f"[{name}]" if isinstance(name, int) else name[:60]
         dot = "." if place and place[0] != "[" else ""
         raise CertificateError(own + dot + place, problem) from None

@@ -53,7 +53,7 @@ def verify_certificate(
         If the scene is not valid.
     CertificateError
         If the certificate cannot be read.
-    Rejected
+    CertificateRejected
         If it does not prove what it claims.
     """
     problem = make_problem(scene if isinstance(scene, Scene) else load_scene(scene), judged_by_geos)

@@ -7,7 +7,6 @@ import sys
 import time
 from typing import Any
 
-from planar_planner.checker.form import CertificateError
 from planar_planner.cli.arguments.importing import add_importing, scene_of
 from planar_planner.cli.arguments.limits import add_contact_tolerance
 from planar_planner.cli.arguments.shared import add_command, add_json, add_scene
@@ -59,15 +58,15 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _finding(scene: Any, certificate: str, tolerance: float) -> tuple[int, dict[str, Any]]:
     """Return the exit status, and the finding as JSON."""
-    from planar_planner.checker.case import Rejected
     from planar_planner.checker.verify import verify_certificate  # takes numpy
+    from planar_planner.errors import CertificateError, CertificateRejected
 
     began = time.monotonic()
     common = {"format": "planar-planner/verification", "version": 1, "scene": scene.name}
     try:
         report = verify_certificate(scene, certificate, tolerance)._asdict()
-    except Rejected as found:
-        status, content = 1, {"claim": one_line(found.args[0]), "problem": one_line(found.args[1])}
+    except CertificateRejected as found:
+        status, content = 1, {"claim": one_line(found.place), "problem": one_line(found.problem)}
     except CertificateError as found:
         status, content = 2, {"claim": "", "problem": one_line(str(found))}
     except MemoryError:
