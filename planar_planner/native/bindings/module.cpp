@@ -241,6 +241,7 @@ nb::dict check_path(planner::Planner& planner, const Path& path) {
 
 NB_MODULE(_core, m) {
   m.doc() = "Native core of planar_planner; see planar_planner.planner for the public interface.";
+  bindings::add_evidence(m);
   nb::class_<planner::Planner>(m, "Core")
       .def(
           "__init__",
