@@ -12,7 +12,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from planar_planner.checker.verify import verify_certificate
+    from planar_planner.checker.verify import Verification, verify_certificate
     from planar_planner.errors import (
         CertificateError,
         CertificateRejected,
@@ -50,6 +50,7 @@ _HOMES = {
     "Scene": "scene.model",
     "SceneError": "errors",
     "Undecided": "planning.result",
+    "Verification": "checker.verify",
     "cells_of": "explain.cells",
     "cells_on_path": "explain.cells",
     "load_scene": "load",
@@ -76,6 +77,7 @@ __all__ = [
     "Scene",
     "SceneError",
     "Undecided",
+    "Verification",
     "cells_of",
     "cells_on_path",
     "load_scene",

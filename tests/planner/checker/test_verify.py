@@ -12,26 +12,24 @@ from typing import Any
 
 import pytest
 import shapely
+from hand_made_certificates import HAND_MADE, Json, hand_made, rectangle, signed
 from shapely import affinity
 
-from planar_planner.checker.absence import covered, extent
-from planar_planner.checker.arithmetic import BITS, ONE, PI, WORK, Extent, _cross, _minus, rotation
-from planar_planner.checker.case import (
-    Case,
-    Piece,
-    check_partition,
-    check_pieces,
-    convex_piece,
-    make_case,
-)
-from planar_planner.checker.collisions import check_full, check_overlap, negative
-from planar_planner.checker.form import read_certificate, units
-from planar_planner.checker.path import make_motion, not_negative, swept
+from planar_planner.checker.case import Case, Pose, make_case
+from planar_planner.checker.collisions import check_full, check_overlap, is_negative
+from planar_planner.checker.cover import covered
+from planar_planner.checker.extents import Domain, Extent
+from planar_planner.checker.form import read_certificate
+from planar_planner.checker.motions import make_motion, stays_outside, swept_box
+from planar_planner.checker.pieces import Piece, Pieces, check_partition, convex_piece
+from planar_planner.checker.records import Collision, Waypoint
+from planar_planner.checker.rotations import ANGLE_BITS, PI, ROTATION_BITS, rotation
+from planar_planner.checker.vectors import ONE, cross, minus, units
 from planar_planner.checker.verify import verify_certificate
-from planar_planner.errors import CertificateRejected
+from planar_planner.errors import CertificateRejected, OptionsError
 from planar_planner.load import load_scene
 from planar_planner.problem.make import make_problem
-from worlds.hand_made_certificates import HAND_MADE, WHOLE, Json, hand_made, rectangle, signed
+from worlds.hand_made_certificates import HAND_MADE, Json, hand_made, rectangle, signed
 
 PI_TO_80_DIGITS = Decimal(
     "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899"
@@ -52,7 +50,7 @@ def decimal_cos_sin(angle: Decimal) -> tuple[Decimal, Decimal]:
 def test_rotations_are_within_a_unit() -> None:
     getcontext().prec = 70
     rng = random.Random(1)
-    one = Decimal(2) ** BITS
+    one = Decimal(2) ** ROTATION_BITS
     for _ in range(200):
         turns = Fraction(rng.randrange(-(2**20), 2**20), 2 ** rng.randrange(20))
         radians = Fraction(rng.choice([0.0, rng.uniform(-4, 4), rng.uniform(-1e6, 1e6)]))
@@ -64,7 +62,7 @@ def test_rotations_are_within_a_unit() -> None:
 
 def test_pi() -> None:
     getcontext().prec = 75
-    assert abs(PI - PI_TO_80_DIGITS * Decimal(2) ** WORK) <= 1
+    assert abs(PI - PI_TO_80_DIGITS * Decimal(2) ** ANGLE_BITS) <= 1
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -83,8 +81,8 @@ def test_negative_is_sound_and_sharp(seed: int) -> None:
         most = math.hypot(D, E) if inside else max(ends)
         margin = rng.choice([-1, 1]) * 10.0 ** rng.uniform(-12, 0)
         C = -most + margin
-        scaled = (round(math.ldexp(x, 100)) for x in (D, E, C))
-        found = negative(*scaled, Extent([], first, last).ends())
+        scaled = tuple(round(math.ldexp(x, 100)) for x in (C, D, E))
+        found = is_negative(scaled, Extent([], first, last).end_rotations())
         assert found == (margin < 0)
 
 
@@ -97,16 +95,16 @@ def random_convex(rng: random.Random, reach: float, count: int) -> Points:
 
 
 def piece_of(points: Points, obstacle: bool) -> Piece:
-    return convex_piece("", [(units(x), units(y)) for x, y in points], obstacle=obstacle)
+    return convex_piece("", [(units(x), units(y)) for x, y in points], of_obstacle=obstacle)
 
 
 def case_of(robot: Points, obstacle: Points) -> Case:
     """Return a case of one piece each."""
-    nowhere = ((0, 0), 0.0)
+    nowhere = Pose((0, 0), 0.0)
     mine, other = piece_of(robot, False), piece_of(obstacle, True)
-    pieces = {"robot": {"0": [mine]}, "obstacle": {"0": [other]}}
-    polygons = {owner: {"0": [own["0"][0].vertices]} for owner, own in pieces.items()}
-    return Case(polygons, {}, {}, True, nowhere, nowhere, pieces)
+    pieces = Pieces({"0": [mine]}, {"0": [other]})
+    polygons = {"0": [mine.vertices]}, {"0": [other.vertices]}
+    return Case(*polygons, {}, {}, True, nowhere, nowhere, pieces)
 
 
 def placed(points: Points, x: float, y: float, theta: float) -> shapely.Polygon:
@@ -154,17 +152,17 @@ def test_separating_edges_hold_during_the_whole_motion(seed: int) -> None:
         robot, obstacle = random_convex(rng, 1, 6), random_convex(rng, 2, 8)
         case = case_of(robot, obstacle)
         stretch = 2.0 ** -rng.randrange(0, 8)
-        ends: Any = []
+        ends = []
         start = [rng.uniform(-3, 3), rng.uniform(-3, 3), rng.uniform(-10, 10)]
         for x, y, theta in (start, [v + stretch * rng.uniform(-1, 1) for v in start]):
-            ends.append((units(x), units(y), theta, 0))
+            ends.append(Waypoint(units(x), units(y), theta, 0))
         first, last = (Fraction(k, 8) for k in sorted(rng.sample(range(9), 2)))
-        motion = make_motion(ends, int(first * ONE), int(last * ONE))
-        pieces = case.pair("", (0, 0, 0, 0))
+        motion = make_motion(*ends, int(first * ONE), int(last * ONE))
+        mine, other = case.pieces.pair("", (0, 0, 0, 0))
         clear = any(
-            all(not_negative(edge, v, motion) for v in pieces[other].vertices)
-            for owner, other in (("robot", "obstacle"), ("obstacle", "robot"))
-            for edge in pieces[owner].edges
+            all(stays_outside(edge, vertex, motion) for vertex in against.vertices)
+            for own, against in ((mine, other), (other, mine))
+            for edge in own.edges
         )
         (ax, ay, at, _), (bx, by, bt, _) = ends
         gap = math.inf
@@ -176,7 +174,7 @@ def test_separating_edges_hold_during_the_whole_motion(seed: int) -> None:
             shape = placed(robot, x, y, at + float(s) * (bt - at))
             area = shape.intersection(shapely.Polygon(obstacle)).area
             gap = min(gap, shape.distance(shapely.Polygon(obstacle)) - area)
-            xmin, ymin, xmax, ymax = (Fraction(v, ONE) for v in swept(case.outline, motion))
+            xmin, ymin, xmax, ymax = (Fraction(v, ONE) for v in swept_box(case.outline, motion))
             box = shapely.box(float(xmin), float(ymin), float(xmax), float(ymax))
             assert box.buffer(1e-9).contains(shape)
         cleared += clear
@@ -226,9 +224,7 @@ def test_partitions_by_an_independent_triangulation() -> None:
             [(units(x), units(y)) for x, y in shapely.get_coordinates(t)[:-1].tolist()]
             for t in triangles
         ]
-        pieces = [
-            p if _cross(_minus(p[1], p[0]), _minus(p[2], p[1])) > 0 else p[::-1] for p in pieces
-        ]
+        pieces = [p if cross(minus(p[1], p[0]), minus(p[2], p[1])) > 0 else p[::-1] for p in pieces]
         rings = [[(units(x), units(y)) for x, y in ring] for ring in (outer, hole)]
         check_partition("", rings, pieces)
         for wrong in (
@@ -269,11 +265,11 @@ def test_partition_with_vertices_on_sides() -> None:
 )
 def test_not_convex(vertices: list[tuple[int, int]]) -> None:
     with pytest.raises(CertificateRejected, match="convex"):
-        convex_piece("", vertices, obstacle=True)
+        convex_piece("", vertices, of_obstacle=True)
 
 
 def test_straight_angles_are_convex() -> None:
-    assert len(convex_piece("", [(0, 0), (1, 0), (2, 0), (0, 2)], obstacle=True).edges) == 4
+    assert len(convex_piece("", [(0, 0), (1, 0), (2, 0), (0, 2)], of_obstacle=True).edges) == 4
 
 
 @pytest.mark.parametrize("name", HAND_MADE)
@@ -335,6 +331,12 @@ def test_contact_tolerance_must_be_allowed() -> None:
         verify_certificate(scene, certificate, contact_tolerance=0.5)
 
 
+@pytest.mark.parametrize("tolerance", [-1.0, math.nan, math.inf])
+def test_a_contact_tolerance_is_a_length(tolerance: float) -> None:
+    with pytest.raises(OptionsError, match="contact_tolerance must be finite"):
+        verify_certificate(*hand_made("over_block"), contact_tolerance=tolerance)
+
+
 def grid_certificate(scene: Json, levels: tuple[int, int, int]) -> Json | None:
     """Return a certificate from a uniform grid alone, or None if start and goal are connected.
 
@@ -355,15 +357,15 @@ def grid_certificate(scene: Json, levels: tuple[int, int, int]) -> Json | None:
     }
     content = read_certificate(signed(scene, certificate | {"start_side": [], "full": []}))
     case = make_case(problem, content)
-    check_pieces(case, content)
-    domain = (case, (0, 0), (units(8.0), units(8.0)))
+    domain = Domain((0, 0), (units(8.0), units(8.0)), None)
     counts = [1 << level for level in levels]
     robot = scene["robot"]["coordinates"][0]
     inner = shapely.box(0, 0, 8, 8)
-    claims: list[tuple[Json, Any]] = [
-        ({"pair": [0, 0, q, 0]}, shapely.Polygon(ring)) for q, ring in enumerate(rings)
+    claims: list[tuple[Collision, Any]] = [
+        (Collision((0, 0, q, 0), None, None), shapely.Polygon(ring)) for q, ring in enumerate(rings)
     ]
-    claims += [({"wall": wall}, shapely.box(-9, -9, 17, 17) - inner) for wall in case.walls]
+    beyond = shapely.box(-9, -9, 17, 17) - inner
+    claims += [(Collision(None, wall, None), beyond) for wall in case.walls]
 
     def full(cell: tuple[int, ...]) -> Json | None:
         box: Any = tuple(zip(levels, cell, strict=True))
@@ -373,10 +375,10 @@ def grid_certificate(scene: Json, levels: tuple[int, int, int]) -> Json | None:
             if not all(shape.intersection(blocked).area > 0 for shape in shapes):
                 continue  # for speed alone: a box with a free corner cannot be FULL
             try:
-                check_full(case, "", claim, extent("", domain, box))
+                check_full(case, "", claim, domain.extent("", box))
             except CertificateRejected:
                 continue
-            return claim
+            return {"wall": claim.wall} if claim.pair is None else {"pair": [*claim.pair]}
         return None
 
     def cell_of(pose: list[float]) -> tuple[int, ...]:
@@ -391,15 +393,15 @@ def grid_certificate(scene: Json, levels: tuple[int, int, int]) -> Json | None:
             k = cell[axis] + step
             if axis == 2:
                 k %= counts[2]
-            beyond = (*cell[:axis], k, *cell[axis + 1 :])
-            if not 0 <= k < counts[axis] or beyond in seen or beyond in blocked:
+            next_cell = (*cell[:axis], k, *cell[axis + 1 :])
+            if not 0 <= k < counts[axis] or next_cell in seen or next_cell in blocked:
                 continue
-            claim = full(beyond)
+            claim = full(next_cell)
             if claim is not None:
-                blocked[beyond] = claim
+                blocked[next_cell] = claim
             else:
-                seen.add(beyond)
-                queue.append(beyond)
+                seen.add(next_cell)
+                queue.append(next_cell)
     if goal in seen:
         return None
     boxes = {cell: [list(pair) for pair in zip(levels, cell, strict=True)] for cell in seen}
@@ -444,5 +446,5 @@ def test_a_grid_finds_an_open_slot_open() -> None:
 
 def test_whole_turn_boxes_need_no_seam() -> None:
     scene, certificate = hand_made("turning_wall")
-    certificate["start_side"] = [[[1, 0], WHOLE, WHOLE]]
+    certificate["start_side"] = [[[1, 0], [0, 0], [0, 0]]]
     assert verify_certificate(scene, certificate).verdict == "no_path"

@@ -13,7 +13,8 @@ from typing import Any
 
 import pytest
 
-from planar_planner.checker.form import UNIT, read_certificate, units
+from planar_planner.checker.form import read_certificate
+from planar_planner.checker.vectors import LENGTH_BITS, units
 from planar_planner.checker.verify import verify_certificate
 from planar_planner.errors import CertificateError, CertificateRejected
 from worlds.hand_made_certificates import HAND_MADE, Json, hand_made
@@ -253,5 +254,5 @@ def test_junk_never_crashes_the_checker(name: str) -> None:
 
 def test_units_hold_every_number_of_a_scene() -> None:
     for number in (1e-50, -1.0000000000000002e-50, 1e12, 0.1, -0.0):
-        assert units(number) == number * 2**UNIT or units(number) % 2 == 0
-        assert units(number) / 2**UNIT == number
+        assert units(number) == number * 2**LENGTH_BITS or units(number) % 2 == 0
+        assert units(number) / 2**LENGTH_BITS == number
