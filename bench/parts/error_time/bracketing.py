@@ -1,7 +1,7 @@
 """The gears' critical gap: bracketed by our own planner, with certificates checked independently.
 
-No formula is known. Nothing here is taken on trust: both ends of the bracket come with a
-certificate that `planar_planner.checker`, which shares no code with the planner, accepts.
+No formula is known. Both ends of the bracket come with a certificate that `planar_planner.checker`
+accepts; it shares nothing with the planner but the reader of scenes.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The certificate of an answer, checked by the checker that shares nothing with the planner."""
+"""The certificate of an answer, and what the checker says about it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def certificate_failure(
     """Return what is wrong with the certificate of an answer; None if nothing is.
 
     A decided answer has one that proves it, an undecided one has none. It is read back from JSON,
-    as a stranger gets it.
+    as from a file.
     """
     if result.verdict == "undecided":
         return None if result.certificate is None else "an undecided answer has one"

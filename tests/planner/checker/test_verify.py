@@ -15,16 +15,24 @@ import shapely
 from hand_made_certificates import HAND_MADE, Json, hand_made, rectangle, signed
 from shapely import affinity
 
+from planar_planner.checker.arithmetic import (
+    ANGLE_BITS,
+    ONE,
+    PI,
+    ROTATION_BITS,
+    cross,
+    minus,
+    rotation,
+    units,
+)
 from planar_planner.checker.case import Case, Pose, make_case
 from planar_planner.checker.collisions import check_full, check_overlap, is_negative
 from planar_planner.checker.cover import covered
 from planar_planner.checker.extents import Domain, Extent
 from planar_planner.checker.form import read_certificate
-from planar_planner.checker.motions import make_motion, stays_outside, swept_box
+from planar_planner.checker.path import make_motion, stays_outside, swept_box
 from planar_planner.checker.pieces import Piece, Pieces, check_partition, convex_piece
 from planar_planner.checker.records import Collision, Waypoint
-from planar_planner.checker.rotations import ANGLE_BITS, PI, ROTATION_BITS, rotation
-from planar_planner.checker.vectors import ONE, cross, minus, units
 from planar_planner.checker.verify import verify_certificate
 from planar_planner.errors import CertificateRejected, OptionsError
 from planar_planner.load import load_scene

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -12,8 +13,11 @@ from planar_planner.checker.verify import verify_certificate
 from planar_planner.cli.main import main
 from planar_planner.errors import CertificateRejected
 from planar_planner.load import load_scene
+from planar_planner.planning.certificate import make_certificate
+from planar_planner.planning.engine import ask, make_core
 from planar_planner.planning.options import Options
 from planar_planner.planning.planner import Planner
+from planar_planner.problem.make import make_problem
 from planar_planner.scene.builtin import builtin_scenes, manifest
 
 SECONDS = {"gear-jammed": 10.0}  # at most; the others:
@@ -68,3 +72,33 @@ def test_ends_moved_off_contact_need_the_same_tolerance() -> None:
     with pytest.raises(CertificateRejected, match="contact_tolerance"):
         verify_certificate(scene, certificate)
     assert verify_certificate(scene, certificate, contact_tolerance=1e-3).verdict == "path"
+
+
+@pytest.mark.parametrize(
+    ("changed", "place"),
+    [
+        ({"start": [4.5, 2, 0]}, "start"),
+        ({"goal": [4.5, 2, 1]}, "goal"),
+        ({"goal": [9.9, 2, 1]}, "goal"),
+        ({"reference_bounds": [3, 1, 9, 9]}, "start"),
+    ],
+)
+def test_ends_that_are_not_free(changed: dict[str, Any], place: str) -> None:
+    """The planner refuses them; the core behind it answers, with a certificate."""
+    square = {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1]]]}
+    scene = {
+        "format": "planar-planner/scene",
+        "version": 1,
+        "workspace": {"box": [0, 0, 10, 10]},
+        "robot": square,
+        "obstacles": [{"type": "Polygon", "coordinates": [[[4, 0], [5, 0], [5, 5], [4, 5]]]}],
+        "start": [2, 2, 0],
+        "goal": [8, 3, 1],
+    } | changed
+    problem = make_problem(load_scene(scene))
+    core = make_core(problem)
+    ask(core, problem, Options())
+    certificate = make_certificate(problem, core.evidence(), 0.0)
+    assert certificate is not None
+    assert (certificate["claim"], certificate["end"]) == ("end", place)
+    assert verify_certificate(scene, certificate).proof == "end"

@@ -13,8 +13,8 @@ from typing import Any
 
 import pytest
 
+from planar_planner.checker.arithmetic import LENGTH_BITS, units
 from planar_planner.checker.form import read_certificate
-from planar_planner.checker.vectors import LENGTH_BITS, units
 from planar_planner.checker.verify import verify_certificate
 from planar_planner.errors import CertificateError, CertificateRejected
 from worlds.hand_made_certificates import HAND_MADE, Json, hand_made

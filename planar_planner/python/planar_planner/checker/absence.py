@@ -9,6 +9,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from planar_planner import certificate_keys as keys
+from planar_planner.checker.arithmetic import Ring, dot
 from planar_planner.checker.case import Case, Pose
 from planar_planner.checker.collisions import check_full
 from planar_planner.checker.demands import demand, find
@@ -17,7 +18,6 @@ from planar_planner.checker.goal_area import GoalArea
 from planar_planner.checker.pieces import Piece, convex_piece
 from planar_planner.checker.records import DiscProof, EndProof
 from planar_planner.checker.separation import check_separation
-from planar_planner.checker.vectors import Ring, dot
 from planar_planner.errors import CertificateRejected
 
 

@@ -12,11 +12,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from planar_planner import certificate_keys as keys
-from planar_planner.checker.demands import demand
-from planar_planner.checker.goal_area import GoalArea
-from planar_planner.checker.pieces import Edge, Pieces, checked_pieces
-from planar_planner.checker.records import Certificate
-from planar_planner.checker.vectors import (
+from planar_planner.checker.arithmetic import (
     ONE,
     Polygon,
     Rectangle,
@@ -27,6 +23,10 @@ from planar_planner.checker.vectors import (
     cyclic_pairs,
     units,
 )
+from planar_planner.checker.demands import demand
+from planar_planner.checker.goal_area import GoalArea
+from planar_planner.checker.pieces import Edge, Pieces, checked_pieces
+from planar_planner.checker.records import Certificate
 from planar_planner.problem.goal import Goal, GoalRegion
 from planar_planner.problem.make import Polygons, Problem
 from planar_planner.scene.fields import Configuration

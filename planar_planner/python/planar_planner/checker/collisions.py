@@ -13,13 +13,12 @@ from itertools import chain, product
 from typing import NamedTuple
 
 from planar_planner import certificate_keys as keys
+from planar_planner.checker.arithmetic import ROTATION_BITS, Ring, Rotation, Vector, dot
 from planar_planner.checker.case import Case
 from planar_planner.checker.demands import demand, find
 from planar_planner.checker.extents import Extent
 from planar_planner.checker.pieces import Edge, Sinusoid
 from planar_planner.checker.records import Collision, EdgeName, Joint, PairName, PairTerm, WallTerm
-from planar_planner.checker.rotations import ROTATION_BITS, Rotation
-from planar_planner.checker.vectors import Ring, Vector, dot
 
 MOST_CHOICES = 1024
 """Of separating edges in one joint claim."""

@@ -12,11 +12,11 @@ from itertools import chain
 from typing import NamedTuple
 
 from planar_planner import certificate_keys as keys
+from planar_planner.checker.arithmetic import Rectangle, bounding_box, interiors_apart
 from planar_planner.checker.demands import demand
 from planar_planner.checker.extents import THETA
 from planar_planner.checker.form import DEEPEST_LEVEL
 from planar_planner.checker.records import Box, Separation
-from planar_planner.checker.vectors import Rectangle, bounding_box, interiors_apart
 
 WHOLE = 1 << DEEPEST_LEVEL
 """The domain's size, and a turn."""

@@ -6,10 +6,9 @@ from fractions import Fraction
 from itertools import product
 from typing import NamedTuple
 
+from planar_planner.checker.arithmetic import Rotation, Vector, rotation
 from planar_planner.checker.demands import demand
 from planar_planner.checker.records import Box
-from planar_planner.checker.rotations import Rotation, rotation
-from planar_planner.checker.vectors import Vector
 
 THETA = 2
 """The axis of angles; x and y are 0 and 1."""

@@ -2,7 +2,7 @@
 
 docs/certificate.md has a table for each object; a test compares them. Whether a certificate is true
 is decided elsewhere. A certificate is hostile input: whatever is not of this form gives a
-`CertificateError` with the place. Lengths become integers in units of `vectors.LENGTH_BITS`.
+`CertificateError` with the place. Lengths become integers in units of `arithmetic.LENGTH_BITS`.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from planar_planner import certificate_keys as keys
+from planar_planner.checker.arithmetic import LENGTH_BITS, units
 from planar_planner.checker.json_reader import (
     Fields,
     integer,
@@ -41,7 +42,6 @@ from planar_planner.checker.records import (
     WallTerm,
     Waypoint,
 )
-from planar_planner.checker.vectors import LENGTH_BITS, units
 
 DEEPEST_LEVEL = 60
 """Of a box: its sides are at least 2^-60 of the domain's."""

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
-from planar_planner.checker.rotations import TURNS_ERROR, turns_of
-from planar_planner.checker.vectors import (
+from planar_planner.checker.arithmetic import (
+    TURNS_ERROR,
     Polygon,
     Rectangle,
     Vector,
@@ -18,6 +18,7 @@ from planar_planner.checker.vectors import (
     cross,
     cyclic_pairs,
     minus,
+    turns_of,
 )
 
 

@@ -8,10 +8,7 @@ from itertools import chain
 from typing import Any, NamedTuple
 
 from planar_planner import certificate_keys as keys
-from planar_planner.checker.demands import demand, find
-from planar_planner.checker.records import EdgeName, PairName
-from planar_planner.checker.records import Pieces as PieceLists
-from planar_planner.checker.vectors import (
+from planar_planner.checker.arithmetic import (
     Polygon,
     Rectangle,
     Ring,
@@ -22,6 +19,9 @@ from planar_planner.checker.vectors import (
     dot,
     minus,
 )
+from planar_planner.checker.demands import demand, find
+from planar_planner.checker.records import EdgeName, PairName
+from planar_planner.checker.records import Pieces as PieceLists
 
 Sinusoid = tuple[int, int, int]
 """C, D, E of the function C + D cos θ + E sin θ."""

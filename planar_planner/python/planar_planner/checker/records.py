@@ -1,13 +1,13 @@
 """What a certificate says, as records: read, but not checked.
 
-docs/certificate.md has the meaning of each. Lengths are in units of `vectors.LENGTH_BITS`.
+docs/certificate.md has the meaning of each. Lengths are in units of `arithmetic.LENGTH_BITS`.
 """
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from planar_planner.checker.vectors import Rectangle, Ring, Vector
+from planar_planner.checker.arithmetic import Rectangle, Ring, Vector
 
 Span = tuple[int, int]
 """Level l and index k: from k/2^l to (k + 1)/2^l; normal to a face the plane k/2^l."""

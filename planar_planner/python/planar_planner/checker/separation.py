@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from planar_planner import certificate_keys as keys
+from planar_planner.checker.arithmetic import TURNS_ERROR, bounding_box, turns_of
 from planar_planner.checker.case import WALL_NORMALS, Case, Pose
 from planar_planner.checker.collisions import check_full, is_negative_edge
 from planar_planner.checker.cover import check_cover
@@ -12,8 +13,6 @@ from planar_planner.checker.demands import demand
 from planar_planner.checker.extents import THETA, Domain
 from planar_planner.checker.goal_area import GoalArea
 from planar_planner.checker.records import Box, Separation, Span
-from planar_planner.checker.rotations import TURNS_ERROR, turns_of
-from planar_planner.checker.vectors import bounding_box
 
 Range = tuple[Fraction, Fraction]
 """From the first to the second, along an axis of the domain: parts of its size, or turns."""
