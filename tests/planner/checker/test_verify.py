@@ -12,7 +12,6 @@ from typing import Any
 
 import pytest
 import shapely
-from hand_made_certificates import HAND_MADE, Json, hand_made, rectangle, signed
 from shapely import affinity
 
 from planar_planner.checker.arithmetic import (

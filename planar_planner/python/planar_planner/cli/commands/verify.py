@@ -13,7 +13,7 @@ from planar_planner.cli.arguments.shared import add_command, add_json, add_scene
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
 from planar_planner.cli.terminal import VERDICT_STYLES, styled
-from planar_planner.errors import one_line
+from planar_planner.errors import CertificateError, CertificateRejected, one_line
 from planar_planner.output_files import complain, emit
 
 _VERDICTS = {"path": "path", "no_path": "no path"}
@@ -63,7 +63,6 @@ def run(arguments: argparse.Namespace) -> int:
 def _finding(scene: Any, certificate: str, tolerance: float) -> tuple[int, dict[str, Any]]:
     """Return the exit status, and the finding as JSON."""
     from planar_planner.checker.verify import verify_certificate  # takes numpy
-    from planar_planner.errors import CertificateError, CertificateRejected
 
     began = time.monotonic()
     common = {"format": "planar-planner/verification", "version": 1, "scene": scene.name}

@@ -13,9 +13,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from hand_made_certificates import hand_made
 
 import planar_planner
+from worlds.hand_made_certificates import hand_made
 
 PACKAGE = Path(planar_planner.__file__).parent
 CHECKER = "planar_planner.checker"
@@ -24,6 +24,7 @@ SHARED_MODULES = {
     "planar_planner.certificate_keys",
     "planar_planner.errors",
     "planar_planner.load",
+    "planar_planner.tolerances",  # of the readers of drawings
 }
 SHARED_ROOMS = {"planar_planner.formats", "planar_planner.problem", "planar_planner.scene"}
 LIBRARIES = {"numpy"}

@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hand_made_certificates import HAND_MADE, hand_made
 
 from planar_planner import certificate_keys as keys
 from planar_planner.checker import form
 from planar_planner.checker.json_reader import Fields
 from planar_planner.planning import certificate
 from planar_planner.planning.planner import solve
+from worlds.hand_made_certificates import HAND_MADE, hand_made
 
 ROOT = next(folder for folder in Path(__file__).parents if (folder / "pyproject.toml").is_file())
 PAGE = ROOT / "docs" / "certificate.md"
