@@ -12,7 +12,10 @@ _SHORT.maxstring = _SHORT.maxother = _SHORT.maxlong = 60
 
 def shown(value: object) -> str:
     """Return `value` as it may appear in a message: on one line and cut to a readable length."""
-    return _SHORT.repr(value)
+    try:
+        return _SHORT.repr(value)
+    except ValueError:  # an integer of more digits than Python prints
+        return "a value that is too long to print"
 
 
 def cut(name: str) -> str:

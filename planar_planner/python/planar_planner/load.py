@@ -18,8 +18,9 @@ from planar_planner.formats.importing import read_scene
 from planar_planner.formats.parts import ImportOptions
 from planar_planner.scene import fields
 from planar_planner.scene.builtin import builtin_scenes
-from planar_planner.scene.json_file import file_bytes, parse, plain_json
+from planar_planner.scene.json_file import file_bytes, parse
 from planar_planner.scene.model import Scene, _checked
+from planar_planner.scene.plain import plain
 
 
 def load_scene(
@@ -50,7 +51,11 @@ def load_scene(
     """
     options = importing or ImportOptions()
     if isinstance(scene, Mapping):
-        return _with_ends(_checked(plain_json(scene), "<dict>", "scene"), options)
+        try:
+            content = plain(scene)
+        except SceneError as error:
+            raise error.in_source("<dict>") from None
+        return _with_ends(_checked(content, "<dict>", "scene"), options)
     if isinstance(scene, str):
         known = builtin_scenes()
         if scene in known:

@@ -30,8 +30,8 @@ from planar_planner.problem.rings import Judge, clean_polygons, judged_exactly
 from planar_planner.scene import fields
 from planar_planner.scene.fields import Box, Configuration
 from planar_planner.scene.input_limits import MAX_ROBOT_VERTICES
-from planar_planner.scene.json_file import plain_json
 from planar_planner.scene.model import Scene
+from planar_planner.scene.plain import plain
 from planar_planner.scene.raw_polygons import read_polygons
 
 __all__ = ["Polygons", "Problem", "at_end_of", "ends", "make_problem", "point_goal", "with_query"]
@@ -159,9 +159,7 @@ def with_query(problem: Problem, start: Any = None, goal: Any = None) -> Problem
         if isinstance(goal, GoalRegion):
             new_goal = goal
         elif is_region(goal):
-            new_goal = read_region(
-                fields.mapping(plain_json({"goal": goal}), "")["goal"], _surroundings(problem)
-            )
+            new_goal = read_region(plain(goal, "goal"), _surroundings(problem))
         elif goal is not None:
             new_goal = _given(goal, "goal")
         new_goal = _reachable_goal(problem.rotation, new_start, new_goal)
@@ -210,10 +208,7 @@ def _surroundings(problem: Problem) -> Surroundings:
 
 def _given(value: Any, field: str) -> Configuration:
     """Check a configuration that a caller passed as any sequence, numpy arrays included."""
-    plain = value.tolist() if hasattr(value, "tolist") else value
-    if isinstance(plain, (list, tuple)):
-        plain = [item.tolist() if hasattr(item, "tolist") else item for item in plain]
-    return fields.configuration(plain, field)
+    return fields.configuration(plain(value, field), field)
 
 
 def _workspace(value: Any, judge: Judge) -> tuple[Box | None, Polygons | None]:
