@@ -20,8 +20,8 @@ from lib import provenance
 from parts.ablation import variants
 from parts.scale.families import GEAR_CRITICAL
 from planar_planner import Options, load_scene, solve
+from planar_planner.load import SceneLike
 from planar_planner.planning.engine import ask, make_core
-from planar_planner.planning.planner import SceneLike
 from planar_planner.problem.make import make_problem
 from planar_planner.scene.builtin import manifest
 from scenarios import corner, field, gear, maze

@@ -81,7 +81,7 @@ def measure(
     most: int = MOST,
 ) -> Measured:
     """Repeat a query for about `budget` seconds; raise if its answer is not always the same."""
-    loaded = scene if isinstance(scene, Scene) else load_scene(scene)
+    loaded = load_scene(scene)
     runs: list[tuple[float, float, Result]] = []
     for _ in repetitions(budget, FEWEST, most):
         before = time.perf_counter()

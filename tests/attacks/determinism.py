@@ -20,7 +20,7 @@ from typing import Any
 sys.path.extend(str(Path(__file__).resolve().parents[k]) for k in (1, 2))  # tests and scenarios
 
 from planar_planner import load_scene
-from planar_planner.problem.goal import Goal, GoalRegion
+from planar_planner.problem.goal import Goal, GoalSet
 from planar_planner.problem.make import Polygons, make_problem
 from planar_planner.scene.builtin import manifest
 from support import provenance
@@ -60,7 +60,7 @@ def numbers(values: Any) -> list[str]:
 
 def goal_numbers(goal: Goal, rotation: bool) -> list[str]:
     """Return a goal as the driver reads it: 0 and a configuration, or 1, polygons and angles."""
-    if isinstance(goal, GoalRegion):
+    if isinstance(goal, GoalSet):
         return ["1", *written(goal.polygons), *numbers(goal.angles if rotation else None)]
     return ["0", *(float(x).hex() for x in goal)]
 

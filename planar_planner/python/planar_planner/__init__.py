@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from planar_planner.planning.options import Options
     from planar_planner.planning.planner import Planner, solve
     from planar_planner.planning.result import NoPath, PathFound, Result, Undecided
+    from planar_planner.scene.goal_forms import Escape, GoalRegion
     from planar_planner.scene.model import Scene
 
     __version__: str
@@ -38,6 +39,8 @@ _HOMES = {
     "Cells": "explain.cells",
     "CertificateError": "errors",
     "CertificateRejected": "errors",
+    "Escape": "scene.goal_forms",
+    "GoalRegion": "scene.goal_forms",
     "Margin": "margins.result",
     "NoPath": "planning.result",
     "Options": "planning.options",
@@ -65,6 +68,8 @@ __all__ = [
     "Cells",
     "CertificateError",
     "CertificateRejected",
+    "Escape",
+    "GoalRegion",
     "Margin",
     "NoPath",
     "Options",

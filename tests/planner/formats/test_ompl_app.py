@@ -64,7 +64,7 @@ def test_the_plane_and_the_robots_origin(axis: str, tmp_path: Path) -> None:
     assert {tuple(p) for p in ring} == {(-1.5, -0.5), (1.5, -0.5), (1.5, 0.5), (-1.5, 0.5)}
     areas = [shapely.Polygon(o["coordinates"][0]).bounds for o in scene.obstacles]
     assert sorted(areas) == sorted(WALLS)
-    assert scene.reference_bounds == [-10, -10, 10, 10]
+    assert scene.bounds == [-10, -10, 10, 10]
 
 
 def test_nodes_move_turn_and_scale(tmp_path: Path) -> None:

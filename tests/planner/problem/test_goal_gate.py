@@ -16,7 +16,7 @@ from planar_planner import Planner, SceneError, load_scene
 from planar_planner.checker.verify import verify_certificate
 from planar_planner.cli.main import main
 from planar_planner.pictures import draw_scene
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem
 from support.scene_gate import message, problem_of
 from worlds.goal_worlds import cage, rectangle, shape, slot
@@ -24,9 +24,9 @@ from worlds.goal_worlds import cage, rectangle, shape, slot
 BEYOND = rectangle(7, 2, 9, 8)
 
 
-def region_of(goal: Any, **more: Any) -> GoalRegion:
+def region_of(goal: Any, **more: Any) -> GoalSet:
     found = problem_of(slot(0.6, goal, **more)).goal
-    assert isinstance(found, GoalRegion)
+    assert isinstance(found, GoalSet)
     return found
 
 
@@ -60,7 +60,7 @@ def test_an_escape_is_the_plane_outside() -> None:
 
 def test_a_plain_escape_leaves_the_obstacles_and_the_robots_reach() -> None:
     goal = problem_of(cage(1.5, "escape")).goal
-    assert isinstance(goal, GoalRegion)
+    assert isinstance(goal, GoalSet)
     assert goal.left is not None
     low, high = goal.left.coords.min(axis=0), goal.left.coords.max(axis=0)
     assert (low < -1).all()

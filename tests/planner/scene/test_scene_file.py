@@ -193,5 +193,5 @@ def test_message_stays_on_one_line(tmp_path: Path, scene_dict: dict[str, Any]) -
 
 
 def test_wrong_kind_of_argument() -> None:
-    with pytest.raises(TypeError, match="name, a path or a mapping"):
+    with pytest.raises(TypeError, match="name, path or mapping"):
         load_scene(3)

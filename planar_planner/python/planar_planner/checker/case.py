@@ -27,7 +27,7 @@ from planar_planner.checker.demands import demand
 from planar_planner.checker.goal_area import GoalArea
 from planar_planner.checker.pieces import Edge, Pieces, checked_pieces
 from planar_planner.checker.records import Certificate
-from planar_planner.problem.goal import Goal, GoalRegion
+from planar_planner.problem.goal import Goal, GoalSet
 from planar_planner.problem.make import Polygons, Problem
 from planar_planner.scene.fields import Configuration
 
@@ -165,6 +165,6 @@ def _pose(configuration: Configuration) -> Pose:
 
 
 def _goal(goal: Goal, turning: bool) -> Pose | GoalArea:
-    if isinstance(goal, GoalRegion):
+    if isinstance(goal, GoalSet):
         return GoalArea(list(_polygons(goal.polygons)), goal.angles if turning else None)
     return _pose(goal)

@@ -10,7 +10,7 @@ from typing import cast
 import numpy as np
 
 from planar_planner.errors import OptionsError
-from planar_planner.load import load_scene
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.margins.body import Body, Family, Floats, geometry_of
 from planar_planner.margins.bracket import Bracket, Search
 from planar_planner.margins.ends import Ends, ends_of, scale_limit
@@ -21,9 +21,7 @@ from planar_planner.margins.scaling import Centre, Scalings
 from planar_planner.margins.surroundings import Surroundings
 from planar_planner.planning.engine import Listener, make_core
 from planar_planner.planning.options import Options
-from planar_planner.planning.planner import SceneLike
 from planar_planner.problem.make import Problem, make_problem
-from planar_planner.scene.model import Scene
 
 DEFAULT_TOLERANCE = 1e-3
 """Of a factor; of a distance as a part of half the diagonal of the robot's bounding box."""
@@ -73,7 +71,7 @@ def margin(
         If the tolerance is not a positive, finite number.
     """
     began = time.monotonic()
-    loaded = scene if isinstance(scene, Scene) else load_scene(scene)
+    loaded = load_scene(scene)
     problem = make_problem(loaded)
     width = _tolerance(problem, by, tolerance)
     around = Surroundings(problem)

@@ -22,14 +22,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from planar_planner.errors import OptionsError
-from planar_planner.load import load_scene
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.ompl.samplers import DEFAULT_SAMPLERS, INSTALL_HINT, check_samplers
 from planar_planner.planning.certificate import make_certificate
 from planar_planner.planning.engine import ask, make_core
 from planar_planner.planning.options import Options
 from planar_planner.planning.path_judge import Judge
 from planar_planner.planning.placement import check_placements
-from planar_planner.planning.planner import SceneLike
 from planar_planner.planning.result import Result, make_result
 from planar_planner.problem.make import Problem, make_problem, point_goal
 from planar_planner.scene.model import Scene
@@ -184,7 +183,7 @@ def check_scene(scene: SceneLike) -> tuple[Scene, Problem]:
     SceneError
         If it is not valid, or start or goal collide or are out of bounds.
     """
-    loaded = scene if isinstance(scene, Scene) else load_scene(scene)
+    loaded = load_scene(scene)
     problem = make_problem(loaded)
     point_goal(problem, "a comparison with samplers")
     check_placements(make_core(problem), problem, 0.0)

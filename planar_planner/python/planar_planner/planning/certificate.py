@@ -27,7 +27,7 @@ from planar_planner._core import (
     NamedTerm,
 )
 from planar_planner.problem.fingerprint import fingerprint
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem
 from planar_planner.scene.fields import Configuration
 from planar_planner.version import package_version
@@ -102,7 +102,7 @@ def _path(problem: Problem, evidence: NamedEvidence, contact_tolerance: float) -
     *others, last = evidence.waypoints
     waypoints = [[*waypoint, 0] for waypoint in others]  # no turns
     ends = [(evidence.waypoints[0], problem.start)]
-    if isinstance(problem.goal, GoalRegion):
+    if isinstance(problem.goal, GoalSet):
         waypoints.append(_turned_into(last, problem.goal, problem.rotation))
     else:
         waypoints.append(_turned_goal(last, problem.goal))
@@ -126,7 +126,7 @@ def _turned_goal(waypoint: Sequence[float], goal: Configuration) -> list[Any]:
     return [waypoint[0], waypoint[1], goal[2], turns]
 
 
-def _turned_into(waypoint: Sequence[float], goal: GoalRegion, turning: bool) -> list[Any]:
+def _turned_into(waypoint: Sequence[float], goal: GoalSet, turning: bool) -> list[Any]:
     """Write the last angle as one of the goal's interval, which it is up to rounding, and turns."""
     x, y, theta = waypoint
     if goal.angles is None or not turning:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import os
 import threading
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any
 
 import numpy as np
 
@@ -15,19 +13,17 @@ from planar_planner.errors import SceneError
 from planar_planner.explain.cells import Cells, make_cells
 from planar_planner.explain.thinnest_place import Bottleneck, make_bottleneck
 from planar_planner.explain.wall import wall_of
-from planar_planner.load import load_scene
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.planning.certificate import make_certificate
 from planar_planner.planning.engine import Listener, ask, make_core
 from planar_planner.planning.options import Options
 from planar_planner.planning.placement import check_placements
 from planar_planner.planning.result import Result, Undecided, make_result
-from planar_planner.problem.goal import GoalRegion
 from planar_planner.problem.make import Problem, make_problem, with_query
-from planar_planner.scene.model import Scene
+from planar_planner.scene.geometry import Numbers
+from planar_planner.scene.goal_forms import GoalLike
 
 _SHORT_CUTS = ("cheap", "probe")  # parts that answer before there is a cell (native/ablation.hpp)
-
-SceneLike = Scene | str | os.PathLike[str] | Mapping[str, Any]
 
 
 def solve(
@@ -82,7 +78,7 @@ class Planner:
     """
 
     def __init__(self, scene: SceneLike, *, cells_only: bool = False) -> None:
-        self.scene = scene if isinstance(scene, Scene) else load_scene(scene)
+        self.scene = load_scene(scene)
         self.problem = make_problem(self.scene)
         self._without = _SHORT_CUTS if cells_only else ()
         self._core: Core | None = make_core(self.problem, self._without)
@@ -91,8 +87,8 @@ class Planner:
 
     def solve(
         self,
-        start: Sequence[float] | None = None,
-        goal: Sequence[float] | Mapping[str, Any] | str | GoalRegion | None = None,
+        start: Numbers | None = None,
+        goal: GoalLike | None = None,
         options: Options | None = None,
         *,
         listener: Listener | None = None,
@@ -104,8 +100,8 @@ class Planner:
         ----------
         start : (x, y, theta), optional
             Configuration instead of the scene's own; theta in radians.
-        goal : (x, y, theta), mapping or "escape", optional
-            Goal instead of the scene's own, in any form that a scene file may use.
+        goal : (x, y, theta), GoalRegion, Escape, mapping or "escape", optional
+            Goal instead of the scene's own; a mapping as in scene files.
         options, listener, certificate : optional
             As for `planar_planner.solve`.
 
