@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import shapely
 
-from planar_planner import Planner, SceneError, load_scene
+from planar_planner import GoalRegion, Planner, SceneError, load_scene
 from planar_planner.checker.verify import verify_certificate
 from planar_planner.cli.main import main
 from planar_planner.pictures import draw_scene
@@ -127,7 +127,9 @@ def test_a_query_takes_any_form_of_goal() -> None:
         planner.solve(goal={"region": BEYOND, "theta": [2, 1]})
     found = planner.problem.goal
     assert found == (8, 5, 0)
-    assert planner.solve(goal=region_of({"region": BEYOND})).verdict == "path"
+    assert planner.solve(goal=GoalRegion(BEYOND)).verdict == "path"
+    again = region_of({"region": BEYOND})  # a valid set is taken as it is
+    assert planner.solve(goal=again).verdict == "path"
 
 
 def test_without_rotation_an_interval_counts_up_to_whole_turns() -> None:

@@ -159,7 +159,9 @@ def with_query(problem: Problem, start: Any = None, goal: Any = None) -> Problem
         if start is not None:
             new_start = fields.configuration(plain(start, "start"), "start")
         new_goal: Goal = problem.goal
-        if goal is not None:
+        if isinstance(goal, GoalSet):
+            new_goal = goal
+        elif goal is not None:
             raw = goal_json(goal)
             region = is_region(raw)
             around = _surroundings(problem)
