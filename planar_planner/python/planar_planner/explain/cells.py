@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from planar_planner.frozen_arrays import FrozenArrays, freeze
+
 if TYPE_CHECKING:
     from planar_planner.planning.planner import Planner
 
@@ -34,7 +36,7 @@ LABEL_COLOURS = {
 
 
 @dataclass(frozen=True, eq=False)
-class Cells:
+class Cells(FrozenArrays):
     """Boxes in (x, y, theta) that tile the configuration space, or some of them.
 
     Attributes
@@ -55,8 +57,7 @@ class Cells:
     label: NDArray[np.uint8]
 
     def __post_init__(self) -> None:
-        for array in (self.lower, self.upper, self.level, self.label):
-            array.setflags(write=False)
+        freeze(self)
 
     def __len__(self) -> int:
         return len(self.label)

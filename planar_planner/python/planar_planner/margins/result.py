@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
+from planar_planner.errors import shown
+from planar_planner.frozen_arrays import FrozenArrays
 from planar_planner.margins.surroundings import Contact
 
 FORMAT = "planar-planner/margin"
@@ -39,9 +41,12 @@ class NarrowPlace:
     contacts: tuple[Contact, ...]
 
 
-@dataclass(frozen=True, eq=False)
-class Margin:
+@dataclass(frozen=True, eq=False, repr=False)
+class Margin(FrozenArrays):
     """A bracket of the largest robot for which a path remains, both ends proven.
+
+    Two margins are equal if all but `counts` and `seconds` is, every number exactly. A margin has
+    no truth value.
 
     Attributes
     ----------
@@ -114,6 +119,28 @@ class Margin:
     def decided(self) -> bool:
         """Whether the bracket is as narrow as asked for and says which side the robot is on."""
         return not self.reason and self.verdict != "undecided"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Margin):
+            return NotImplemented
+        return self._compared() == other._compared()
+
+    def __hash__(self) -> int:
+        return hash((self.scene, self.by, self.lower, self.upper))
+
+    def __bool__(self) -> NoReturn:
+        """Refuse: every margin would be true, one that lets nothing pass too."""
+        raise TypeError("a margin is neither true nor false; compare margin.verdict, or its ends")
+
+    def __repr__(self) -> str:
+        end = f", {shown(self.reason)}" if self.reason else ""
+        return (
+            f"<Margin {shown(self.scene)}: by {self.by}, [{self.lower:.6g}, {self.upper:.6g}], "
+            f"{self.verdict}{end}>"
+        )
+
+    def _compared(self) -> dict[str, Any]:
+        return self.to_json() | {"counts": None, "seconds": None}
 
     def to_json(self) -> dict[str, Any]:
         """Return the margin as a JSON object: plain, finite values only, others as null."""

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 
 import numpy as np
 
@@ -22,6 +23,7 @@ from planar_planner.planning.result import Result, Undecided, make_result
 from planar_planner.problem.make import Problem, make_problem, with_query
 from planar_planner.scene.geometry import Numbers
 from planar_planner.scene.goal_forms import GoalLike
+from planar_planner.scene.model import Scene
 
 _SHORT_CUTS = ("cheap", "probe")  # parts that answer before there is a cell (native/ablation.hpp)
 
@@ -62,6 +64,8 @@ def solve(
 class Planner:
     """A scene with its subdivision: each query starts from the cells of those before.
 
+    Pickled, copied or sent to another process, it is made anew from its scene: without cells.
+
     Parameters
     ----------
     scene : Scene, str, path or mapping
@@ -84,6 +88,10 @@ class Planner:
         self._core: Core | None = make_core(self.problem, self._without)
         self._asked = self.problem  # with the ends of the last query
         self._busy = threading.Lock()
+
+    def __reduce__(self) -> tuple[Callable[..., Planner], tuple[Scene]]:
+        """Reduce it to its scene: cells belong to the core, which stays where it is."""
+        return partial(Planner, cells_only=bool(self._without)), (self.scene,)
 
     def solve(
         self,
