@@ -15,7 +15,6 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from planar_planner import Planner, theta_slice
 from planar_planner.explain.cells import FULL, LABEL_COLOURS, LABELS
-from planar_planner.explain.wall import wall_of
 from planar_planner.pictures import (
     draw_filmstrip,
     draw_scene,
@@ -248,9 +247,6 @@ def test_the_wall_is_that_of_the_certificate(trap: Answered) -> None:
     wall = planner.wall()
     assert wall is not None
     assert result.certificate is not None
-    again = wall_of(planner.problem, result.certificate)
-    assert again is not None
-    assert np.array_equal(wall.lower, again.lower)
     claims = [*result.certificate["full"], *result.certificate["full_faces"]]
     assert len(wall) == len(claims)
     assert np.all(wall.label == FULL)

@@ -68,8 +68,7 @@ def draw_wall(
     scene : Scene
         The scene, as loaded.
     wall : Cells
-        Of a planner that has proven that there is no path (`Planner.wall`), or of a certificate
-        (`planar_planner.explain.wall.wall_of`).
+        `Planner.wall` of a planner that has proven that there is no path.
     bottleneck : Bottleneck
         Of the same planner.
     file : path, optional

@@ -13,7 +13,6 @@ from planar_planner._core import Core
 from planar_planner.errors import SceneError
 from planar_planner.explain.cells import Cells, make_cells
 from planar_planner.explain.thinnest_place import Bottleneck, make_bottleneck
-from planar_planner.explain.wall import wall_of
 from planar_planner.load import SceneLike, load_scene
 from planar_planner.planning.certificate import make_certificate
 from planar_planner.planning.engine import Listener, ask, make_core
@@ -166,8 +165,9 @@ class Planner:
     def wall(self) -> Cells | None:
         """Return the FULL cells and faces that separate the last query's start from its goal.
 
-        As few of them as possible; a face is a cell without extent along its normal. None if the
-        last query was not answered so, by cells or by a disc in the robot's place.
+        As few of them as possible; a face is a cell without extent along its normal. Those of a
+        disc in the place of a robot that may turn hold for every angle. None if the last query was
+        not answered by a separation, of the robot or of such a disc.
 
         Raises
         ------
@@ -177,8 +177,8 @@ class Planner:
         with self._idle():
             if self._core is None:
                 return None
-            certificate = make_certificate(self._asked, self._core.evidence(), 0.0)
-            return wall_of(self._asked, certificate or {})
+            table = self._core.wall(self._asked.start[2])
+            return None if table is None else make_cells(table)
 
     @contextmanager
     def _idle(self) -> Iterator[None]:
