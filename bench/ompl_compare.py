@@ -87,7 +87,7 @@ def entries(scene: str, plan: Plan, driver: Path | None) -> Iterator[Entry]:
     yield entry_of_ours(loaded.name, ours)
     hopeless = ours[0].verdict == "no_path"
     runs = 1 if hopeless else plan.runs
-    settings = Settings(runs=runs, limit=plan.limit, seed=plan.seed)
+    settings = Settings(runs=runs, timeout=plan.limit, seed=plan.seed)
     with tempfile.TemporaryDirectory() as folder:
         dumped = Path(folder) / "problem.txt"
         dumped.write_text(dump(problem), encoding="ascii")
@@ -121,7 +121,7 @@ class Native:
         first = self.settings.seed + 1
         found = []
         for seed in range(first, first + self.settings.runs):
-            request = Request(self.planner, seed, self.settings.limit, resolution)
+            request = Request(self.planner, seed, self.settings.timeout, resolution)
             answer = run_driver(self.driver, self.dumped, request)
             found.append(sampler_run(self.planner, seed, answer, self.judge))
         return found

@@ -134,7 +134,7 @@ def test_a_margin_is_equal_but_for_counts_and_times(bracket: Margin) -> None:
     assert again == bracket
     assert hash(again) == hash(bracket)
     assert again.seconds != bracket.seconds
-    assert margin("corner", tolerance=0.1) != bracket
+    assert margin("corner", width=0.1) != bracket
     assert bracket != "path"
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
         PlannerError,
         SceneError,
     )
-    from planar_planner.explain.cells import Cells, cells_of, cells_on_path, theta_slice
+    from planar_planner.explain.cells import Cells, cells_on_path, theta_slice
     from planar_planner.explain.thinnest_place import Bottleneck
     from planar_planner.load import load_scene
     from planar_planner.margins.find import margin
@@ -54,7 +54,6 @@ _HOMES = {
     "SceneError": "errors",
     "Undecided": "planning.result",
     "Verification": "checker.verify",
-    "cells_of": "explain.cells",
     "cells_on_path": "explain.cells",
     "load_scene": "load",
     "margin": "margins.find",
@@ -83,7 +82,6 @@ __all__ = [
     "SceneError",
     "Undecided",
     "Verification",
-    "cells_of",
     "cells_on_path",
     "load_scene",
     "margin",

@@ -20,11 +20,11 @@ COMMANDS = {
     "verify": ["corner", "c.json"],
     "list": [],
     "show": ["corner"],
-    "compare": ["slot", "--runs", "1", "--limit", "1", "--planners", "RRTConnect"],
+    "compare": ["slot", "--runs", "1", "--timeout", "1", "--planners", "RRTConnect"],
     "convert": ["corner", "corner.svg"],
 }
 COMMANDS["animate"] = ["corner", "corner.gif", "--seconds", "0.2", "--size", "160x160"]
-COMMANDS["margin"] = ["slot", "--within", "0.01"]
+COMMANDS["margin"] = ["slot", "--width", "0.01"]
 NO_ANSWER = {"completion"}
 
 

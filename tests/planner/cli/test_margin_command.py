@@ -9,7 +9,9 @@ import pytest
 
 from planar_planner import Options, load_scene, margin, solve
 from planar_planner.cli.main import main
+from planar_planner.margins.find import Asked, bracketed
 from planar_planner.pictures.margin import draw_margin
+from planar_planner.problem.make import make_problem
 
 
 @pytest.mark.parametrize(
@@ -35,8 +37,8 @@ def test_status_and_text(
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["corner", "--within", "0"], "tolerance must be positive and finite"),
-        (["corner", "--within", "x"], "'x' is not a number"),
+        (["corner", "--width", "0"], "width must be positive and finite"),
+        (["corner", "--width", "x"], "'x' is not a number"),
         (["corner", "--by", "luck"], "luck"),
         (["cornr"], "corner"),
         (["corner", "--plot", "no/such/folder.png"], "cannot write"),
@@ -55,7 +57,7 @@ def test_json_and_picture(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
     assert main(arguments) == 0
     assert len(capsys.readouterr().out.splitlines()) == 1
     content = json.loads(told.read_text())
-    assert content["lower"] < content["upper"] < content["lower"] + content["tolerance"]
+    assert content["lower"] < content["upper"] < content["lower"] + content["width"]
     assert {contact["obstacle"] for contact in content["bottleneck"]["contacts"]} == {0, -1}
     assert drawn.read_bytes().startswith(b"\x89PNG")
 
@@ -83,12 +85,15 @@ def test_the_bodies_decide_as_the_margin_says() -> None:
 
 def test_reuse_spares_queries_and_changes_no_claim() -> None:
     for scene in ("corner", "slot-jammed"):
-        with_it, without = margin(scene), margin(scene, reuse=False)
+        with_it, without = (
+            margin(scene),
+            bracketed(make_problem(load_scene(scene)), Options(), Asked(reuse=False)),
+        )
         assert with_it.counts["queries"] < without.counts["queries"]
         assert max(with_it.lower, without.lower) <= min(with_it.upper, without.upper)
 
 
 def test_a_listener_stops_it() -> None:
-    found = margin("gear", Options(), tolerance=1e-4, listener=lambda _: False)
+    found = margin("gear", Options(), width=1e-4, listener=lambda _: False)
     assert found.reason == "interrupted"
     assert not found.decided

@@ -9,7 +9,7 @@ import pytest
 import shapely
 
 import planar_planner
-from planar_planner import Cells, Planner, cells_of, cells_on_path, load_scene, theta_slice
+from planar_planner import Cells, Planner, cells_on_path, load_scene, theta_slice
 from planar_planner.explain.cells import FREE, FULL, LABELS
 from planar_planner.pictures import placed, polygon_paths
 from support.stand_in_core import FakeCore
@@ -34,7 +34,7 @@ def corner() -> Planner:
 
 
 def test_cells_tile_the_space(corner: Planner) -> None:
-    cells = cells_of(corner)
+    cells = corner.cells()
     low, high = cells.lower.min(axis=0), cells.upper.max(axis=0)
     assert low[2] == 0.0
     assert high[2] == math.tau

@@ -39,7 +39,7 @@ def _verdict(scene: dict[str, Any], robot: shapely.Geometry) -> str:
 @pytest.fixture(scope="module", params=SEEDS)
 def case(request: pytest.FixtureRequest) -> tuple[dict[str, Any], Margin]:
     scene = random_scene(request.param)
-    return scene, margin(scene, LIMITS, tolerance=0.02)
+    return scene, margin(scene, LIMITS, width=0.02)
 
 
 def test_most_are_decided_and_all_are_brackets(case: tuple[dict[str, Any], Margin]) -> None:

@@ -117,9 +117,9 @@ def test_unknown_names_are_refused(names: list[str], message: str) -> None:
     "changes",
     [
         {"runs": 0},
-        {"limit": 0.0},
-        {"limit": math.inf},
-        {"limit": math.nan},
+        {"timeout": 0.0},
+        {"timeout": math.inf},
+        {"timeout": math.nan},
         {"resolution": 0.0},
         {"resolution": 1.5},
         {"seed": -1},
@@ -176,7 +176,7 @@ def test_table_shows_success_soundness_and_call_overhead() -> None:
 
 def test_table_says_that_absence_was_proven() -> None:
     ours = our_run(verdict="no_path", length=0.0, soundness="")
-    text = table(comparison(ours, a_sampler_run(**UNSOLVED)), Settings(limit=10.0))
+    text = table(comparison(ours, a_sampler_run(**UNSOLVED)), Settings(timeout=10.0))
     assert "ours has proven that there is no path; the samplers ran to the limit" in text
     assert "> 10000" in text
     text = table(comparison(ours, a_sampler_run(soundness="collides")), Settings())

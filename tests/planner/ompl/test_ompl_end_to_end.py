@@ -211,7 +211,7 @@ def test_every_known_planner_is_bound() -> None:
 
 @needs_ompl
 def test_the_same_seed_repeats_a_run() -> None:
-    settings = Settings(planners=("RRTConnect",), runs=2, limit=5.0)
+    settings = Settings(planners=("RRTConnect",), runs=2, timeout=5.0)
     first, second = compare("window", settings), compare("window", settings)
     runs = [first.samplers["RRTConnect"], second.samplers["RRTConnect"]]
     assert [run.checks for run in runs[0]] == [run.checks for run in runs[1]]
@@ -231,7 +231,7 @@ def test_command_prints_table_and_writes_json_and_picture(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     json_file, picture = tmp_path / "runs.json", tmp_path / "times.png"
-    common = ("--planners", "RRTConnect", "--runs", "2", "--limit", "0.3")
+    common = ("--planners", "RRTConnect", "--runs", "2", "--timeout", "0.3")
     files = ("--json", str(json_file), "--plot", str(picture))
     assert main(["compare", "open", "slide-blocked", *common, *files]) == 0
     text = capsys.readouterr().out

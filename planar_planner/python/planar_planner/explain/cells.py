@@ -10,15 +10,12 @@ import itertools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from planar_planner.frozen_arrays import FrozenArrays, freeze
-
-if TYPE_CHECKING:
-    from planar_planner.planning.planner import Planner
 
 FREE, STAR, FULL, MIXED = range(4)
 LABELS = ("FREE", "STAR", "FULL", "MIXED")
@@ -72,11 +69,6 @@ def make_cells(table: Mapping[str, Any]) -> Cells:
     return Cells(table["lower"], table["upper"], table["level"], table["label"])
 
 
-def cells_of(planner: Planner) -> Cells:
-    """Return the cells that a planner's queries have left; the same as ``planner.cells()``."""
-    return planner.cells()
-
-
 def theta_slice(cells: Cells, theta: float) -> Cells:
     """Return the cells that contain an angle.
 
@@ -88,8 +80,8 @@ def theta_slice(cells: Cells, theta: float) -> Cells:
     cells : Cells
         Where to choose from.
     theta : float
-        Radians; whole turns do not matter. Of a robot that may not turn only its own angle has
-        cells.
+        Radians; whole turns do not matter. A robot that may not turn has cells at its own angle
+        only.
 
     Raises
     ------

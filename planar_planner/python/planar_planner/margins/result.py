@@ -59,7 +59,7 @@ class Margin(FrozenArrays):
         A path is certified for the robot of margin `lower`, and proven absent for that of margin
         `upper`. At `lower` a robot without area is free everywhere. Infinite if there is nothing to
         touch.
-    tolerance : float
+    width : float
         What ``upper - lower`` was to come down to.
     monotone : bool
         Whether larger margins are larger robots. If not (scaling a robot that is not star-shaped
@@ -90,7 +90,7 @@ class Margin(FrozenArrays):
     by: By
     lower: float
     upper: float
-    tolerance: float
+    width: float
     monotone: bool
     reason: str
     binding: Binding
@@ -151,7 +151,7 @@ class Margin(FrozenArrays):
             "by": self.by,
             "lower": _finite(self.lower),
             "upper": _finite(self.upper),
-            "tolerance": self.tolerance,
+            "width": self.width,
             "monotone": self.monotone,
             "verdict": self.verdict,
             "decided": self.decided,

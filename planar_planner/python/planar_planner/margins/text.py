@@ -55,7 +55,7 @@ def margin_details(margin: Margin) -> str:
 def _range(margin: Margin) -> str:
     if math.isinf(margin.lower):
         return "the robot can be as large as you like"
-    digits = 2 + max(0, math.ceil(-math.log10(margin.tolerance)))
+    digits = 2 + max(0, math.ceil(-math.log10(margin.width)))
     low, high = round(margin.lower, digits), round(margin.upper, digits)
     what = "scaled by" if margin.by == "scale" else "grown by"
     if margin.by == "offset" and margin.upper <= 0.0:
