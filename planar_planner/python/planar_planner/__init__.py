@@ -12,7 +12,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from planar_planner.checker.verify import Verification, verify_certificate
+    from planar_planner.checker.verify import Report, Verification, verify_certificate
     from planar_planner.errors import (
         CertificateError,
         CertificateRejected,
@@ -23,9 +23,12 @@ if TYPE_CHECKING:
     )
     from planar_planner.explain.cells import Cells, cells_on_path, theta_slice
     from planar_planner.explain.thinnest_place import Bottleneck
+    from planar_planner.formats.parts import ImportOptions
     from planar_planner.load import load_scene
     from planar_planner.margins.find import margin
-    from planar_planner.margins.result import Margin
+    from planar_planner.margins.result import Margin, NarrowPlace
+    from planar_planner.margins.surroundings import NearestPoints
+    from planar_planner.planning.engine import Listener
     from planar_planner.planning.options import Options
     from planar_planner.planning.planner import Planner, solve
     from planar_planner.planning.result import NoPath, PathFound, Result, Undecided
@@ -41,7 +44,11 @@ _HOMES = {
     "CertificateRejected": "errors",
     "Escape": "scene.goal_forms",
     "GoalRegion": "scene.goal_forms",
+    "ImportOptions": "formats.parts",
+    "Listener": "planning.engine",
     "Margin": "margins.result",
+    "NarrowPlace": "margins.result",
+    "NearestPoints": "margins.surroundings",
     "NoPath": "planning.result",
     "Options": "planning.options",
     "OptionsError": "errors",
@@ -49,6 +56,7 @@ _HOMES = {
     "PathFound": "planning.result",
     "Planner": "planning.planner",
     "PlannerError": "errors",
+    "Report": "checker.verify",
     "Result": "planning.result",
     "Scene": "scene.model",
     "SceneError": "errors",
@@ -69,7 +77,11 @@ __all__ = [
     "CertificateRejected",
     "Escape",
     "GoalRegion",
+    "ImportOptions",
+    "Listener",
     "Margin",
+    "NarrowPlace",
+    "NearestPoints",
     "NoPath",
     "Options",
     "OptionsError",
@@ -77,6 +89,7 @@ __all__ = [
     "PathFound",
     "Planner",
     "PlannerError",
+    "Report",
     "Result",
     "Scene",
     "SceneError",

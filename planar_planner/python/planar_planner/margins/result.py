@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from planar_planner.errors import shown
 from planar_planner.frozen_arrays import FrozenArrays
-from planar_planner.margins.surroundings import Contact
+from planar_planner.margins.surroundings import NearestPoints
 
 FORMAT = "planar-planner/margin"
 VERSION = 1
@@ -32,13 +32,13 @@ class NarrowPlace:
     clearance : float
         Distance of the robot, at the margin's lower end, from what is nearest; offsets of at least
         0: of the robot as it is.
-    contacts : tuple of Contact
+    contacts : tuple of NearestPoints
         What it is nearest to, nearest first.
     """
 
     configuration: tuple[float, float, float]
     clearance: float
-    contacts: tuple[Contact, ...]
+    contacts: tuple[NearestPoints, ...]
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -10,7 +10,7 @@ from planar_planner.errors import one_line
 
 if TYPE_CHECKING:
     from planar_planner.margins.result import Margin
-    from planar_planner.margins.surroundings import Contact
+    from planar_planner.margins.surroundings import NearestPoints
 
 _VERDICTS = {
     "path": "a path remains",
@@ -81,7 +81,7 @@ def _bottleneck_lines(margin: Margin) -> list[str]:
     ]
 
 
-def _name(contact: Contact) -> str:
+def _name(contact: NearestPoints) -> str:
     return "the workspace" if contact.obstacle < 0 else f"obstacles[{contact.obstacle}]"
 
 
