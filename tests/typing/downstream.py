@@ -70,7 +70,7 @@ def room(robot: Geometry, goal: GoalLike) -> Scene:
     )
     assert_type(bounded, Scene)
     start = np.array([2.0, 2.0, 0.0])
-    return Scene(robot=robot, start=start, goal=goal, workspace=bounds, rotation=False)
+    return Scene(robot=robot, start=start, goal=goal, workspace=(0, 0, 9, 9), rotation=False)
 
 
 def goals() -> list[GoalLike]:
