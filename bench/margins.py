@@ -6,9 +6,6 @@ certification for the next body). Writes ``bench/results/margins.csv``.
 
 from __future__ import annotations
 
-from provenance import print_provenance, use_one_core, write_csv
-from shipped import with_point_goals
-
 from lib.provenance import print_provenance, use_one_core, write_csv
 from planar_planner import Margin, Options, load_scene, margin
 from planar_planner.margins.find import Asked, bracketed

@@ -29,10 +29,10 @@ from planar_planner import (
     PathFound,
     Planner,
     PlannerError,
-    Report,
     Result,
     Scene,
     Undecided,
+    Verification,
     load_scene,
     margin,
     solve,
@@ -98,7 +98,7 @@ def room_to_spare(scene: str) -> list[NearestPoints]:
     return [] if place is None else list(place.contacts)
 
 
-def proven(scene: Scene, file: str) -> Report | None:
+def proven(scene: Scene, file: str) -> Verification | None:
     """Tell a certificate that is refused from one that cannot be read."""
     try:
         return verify_certificate(scene, file)

@@ -12,7 +12,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from planar_planner.checker.verify import Report, Verification, verify_certificate
+    from planar_planner.checker.verify import Verification, verify_certificate
     from planar_planner.errors import (
         CertificateError,
         CertificateRejected,
@@ -56,7 +56,6 @@ _HOMES = {
     "PathFound": "planning.result",
     "Planner": "planning.planner",
     "PlannerError": "errors",
-    "Report": "checker.verify",
     "Result": "planning.result",
     "Scene": "scene.model",
     "SceneError": "errors",
@@ -89,7 +88,6 @@ __all__ = [
     "PathFound",
     "Planner",
     "PlannerError",
-    "Report",
     "Result",
     "Scene",
     "SceneError",
