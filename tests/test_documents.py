@@ -54,3 +54,14 @@ def test_every_statistic_is_explained() -> None:
     section = method.partition("## Statistics")[2].partition("\n## ")[0]
     for key in solve(load_scene("corner")).stats:
         assert f"`{key}`" in section, key
+
+
+def test_every_room_is_on_the_map() -> None:
+    method = (ROOT / "docs" / "method.md").read_text(encoding="utf-8")
+    section = method.partition("## Where things are")[2].partition("\n## ")[0]
+    named = set(re.findall(r"`([\w/]+)/`", section))
+    for package in ("pdg", "planar_planner"):
+        for root in (ROOT / package / "native", ROOT / package / "python" / package):
+            sources = [path for path in root.rglob("*") if path.suffix in (".py", ".hpp")]
+            rooms = {path.parent.relative_to(root).as_posix() for path in sources} - {"."}
+            assert rooms and rooms <= named, root
