@@ -3,7 +3,7 @@
 ``python bench/physics.py`` replays the path of every scene that has one, and pushes four robots for
 twenty simulated seconds in every scene that has none. It asks Chipmunk about pairs of small integer
 polygons, too, many of which touch exactly, and compares with ``pdg``, and about random
-configurations in all scenes, and compares with the planner. It fails if a path is not witnessed, a
+configurations in all scenes, and compares with the planner. It fails if a path is not confirmed, a
 robot reaches its goal, or answers differ, and writes ``bench/results/physics_*.csv``.
 """
 
@@ -36,7 +36,7 @@ QUARTERS = (0.0, math.pi / 2, math.pi, -math.pi / 2)
 
 
 def replays() -> tuple[list[list[object]], list[str]]:
-    """Return a row for each scene with a path, and the scenes whose path is not witnessed."""
+    """Return a row for each scene with a path, and the scenes whose path is not confirmed."""
     rows: list[list[object]] = []
     failed = []
     for name, entry in with_point_goals().items():
@@ -60,8 +60,8 @@ def replays() -> tuple[list[list[object]], list[str]]:
             ]
         )
         print(*rows[-1], flush=True)
-        if not found.witnessed:
-            failed.append(f"{name}: not witnessed")
+        if not found.confirmed:
+            failed.append(f"{name}: not confirmed")
     return rows, failed
 
 

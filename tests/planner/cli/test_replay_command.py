@@ -22,11 +22,11 @@ def test_a_path_is_witnessed(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert main(["replay", "corner", "--json", str(file)]) == 0
     out, err = capsys.readouterr()
     assert err == ""
-    assert out.startswith("corner: witnessed: from start to goal without collision\n")
+    assert out.startswith("corner: confirmed: from start to goal without collision\n")
     assert "Chipmunk" in out
     content = json.loads(file.read_text())
     assert content["format"] == "planar-planner/replay"
-    assert content["witnessed"]
+    assert content["confirmed"]
     assert content["deepest"] <= content["accuracy"]
 
 
@@ -41,7 +41,7 @@ def test_a_wrong_path_is_not(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert main(["replay", "corner", "--path", str(result), "--quiet"]) == 1
     out, err = capsys.readouterr()
     assert (out.count("\n"), err) == (1, "")
-    assert out.startswith("corner: not witnessed: obstacles[")
+    assert out.startswith("corner: not confirmed: obstacles[")
     assert "is penetrated by" in out
 
 
@@ -73,7 +73,7 @@ def test_a_file_that_holds_no_path(
 
 def test_without_a_path_there_is_nothing_to_replay(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["replay", "gear-jammed"]) == 2
-    assert "--push lets a robot try" in capsys.readouterr().err
+    assert "--push drives a robot instead" in capsys.readouterr().err
 
 
 def test_undecided(capsys: pytest.CaptureFixture[str]) -> None:
@@ -108,7 +108,7 @@ def test_what_only_pushing_has_is_refused_without_it(
     option: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["replay", "corner", f"--{option}", "1"]) == 2
-    assert capsys.readouterr() == ("", f"planar-planner: --{option} is for --push\n")
+    assert capsys.readouterr() == ("", f"planar-planner: --{option} needs --push\n")
 
 
 def test_without_pymunk_one_line_names_the_extra(

@@ -132,7 +132,7 @@ def test_goals_that_are_regions() -> None:
     inside = (16.0, 5.0, 3.25 + 2 * math.tau)
     assert nearest_goal(problem, inside) == inside
     path = solve(room).path
-    assert replay(room, path).witnessed
+    assert replay(room, path).confirmed
     assert not replay(room, path[path[:, 0] < 15.0]).joins
     escape = room | {"goal": {"escape": box(-30, -30, 5, 40)}}
     found = push(escape, seconds=20.0, tries=2)

@@ -48,7 +48,7 @@ def scene(**members: Any) -> Json:
 @pytest.mark.parametrize("name", ["gear", "corner", "piano", "slide", "fence", "courtyard"])
 def test_paths_of_the_planner_are_witnessed(name: str) -> None:
     found = replay(name, solve(load_scene(name)).path)
-    assert found.witnessed
+    assert found.confirmed
     assert found.deepest <= found.accuracy < 1e-12
     assert found.outside == 0.0
 
@@ -58,7 +58,7 @@ def test_a_path_through_an_obstacle_is_found_out() -> None:
     found = replay(scene(), [(2, 5, 0), (18, 5, 0)])
     assert not found.free
     assert found.joins
-    assert not found.witnessed
+    assert not found.confirmed
     assert found.deepest == pytest.approx(2.0, abs=1e-6)  # straight up: (2 + 2)/2
     (contact,) = found.contacts
     assert contact.what == "obstacles[0]"
@@ -105,7 +105,7 @@ def test_a_thin_wall_is_not_stepped_over() -> None:
 def test_touching_is_no_collision() -> None:
     along = [(2, 3, 0), (10, 3, 0), (18, 3, 0)]  # slides along the block's lower edge, y = 4
     found = replay(scene(start=[2, 3, 0], goal=[18, 3, 0]), along)
-    assert found.witnessed
+    assert found.confirmed
     assert found.contacts
     assert found.deepest <= found.accuracy
     deeper = replay(
@@ -162,13 +162,13 @@ def test_leaving_the_box_is_a_penetration_of_its_walls(end: tuple[float, float, 
 def test_a_robot_in_the_hole_of_an_obstacle_is_free_and_out_of_it_is_not() -> None:
     ring = polygon((5, 0), (15, 0), (15, 10), (5, 10), holes=[[(7, 2), (13, 2), (13, 8), (7, 8)]])
     held = scene(obstacles=[ring], start=[8, 5, 0], goal=[12, 5, 0])
-    assert replay(held, [(8, 5, 0), (12, 5, 0)]).witnessed
+    assert replay(held, [(8, 5, 0), (12, 5, 0)]).confirmed
     assert replay(held, [(8, 5, 0), (14, 5, 0)]).deepest == pytest.approx(2.0, abs=1e-6)
 
 
 def test_reference_bounds_hold_the_point_and_not_the_body() -> None:
     bounded = scene(workspace=None, reference_bounds=[1, 1, 19, 9], obstacles=[])
-    assert replay(bounded, [(2, 5, 0), (1, 1, 0), (18, 5, 0)]).witnessed
+    assert replay(bounded, [(2, 5, 0), (1, 1, 0), (18, 5, 0)]).confirmed
     found = replay(bounded, [(2, 5, 0), (0.5, 9.25, 0), (18, 5, 0)])
     assert (found.outside, found.deepest, found.free) == (0.5, 0.0, False)
 
@@ -179,7 +179,7 @@ def test_ends_other_than_start_and_goal_are_told() -> None:
     assert not found.joins
     assert found.start_gap == pytest.approx(0.0, abs=1e-12)  # a whole turn is none
     assert found.goal_gap == 3.0
-    assert not found.witnessed
+    assert not found.confirmed
 
 
 @pytest.mark.parametrize("factor", [2.0**-60, 1e-9, 1e6, 2.0**30])
@@ -193,7 +193,7 @@ def test_the_finding_does_not_depend_on_the_unit(factor: float) -> None:
     scaled |= {"start": path[0].tolist(), "goal": path[1].tolist()}
     assert replay(scaled, path).deepest == pytest.approx(2.0 * factor, rel=1e-6)
     detour = np.array([(2, 5, 0), (2, 2, 0), (18, 2, 0), (18, 5, 0)]) * [factor, factor, 1]
-    assert replay(scaled, detour).witnessed
+    assert replay(scaled, detour).confirmed
 
 
 def test_a_robot_that_is_round_is_cut_into_shapes_that_chipmunk_can_number() -> None:

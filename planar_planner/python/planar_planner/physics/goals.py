@@ -1,4 +1,4 @@
-"""How far a goal is, be it a configuration or a region."""
+"""The nearest goal and the travel to it, for goals that are configurations or regions."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from planar_planner.scene.fields import Configuration
 def nearest_goal(problem: Problem, q: Configuration) -> Configuration:
     """Return the goal's configuration that is nearest in travel, theta within half a turn of q's.
 
-    The two parts of travel are least independently: the reference point goes straight to the region
-    and theta turns the shorter way to the interval.
+    Both parts of the travel are least independently of each other: the reference point moves
+    straight to the region, and theta turns the shorter way to the interval.
     """
     goal = problem.goal
     if not isinstance(goal, GoalSet):
