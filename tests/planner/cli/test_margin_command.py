@@ -17,12 +17,12 @@ from planar_planner.problem.make import make_problem
 @pytest.mark.parametrize(
     ("arguments", "status", "said"),
     [
-        (["corner"], 0, "corner: a path remains; a path for the robot grown by 0.009"),
+        (["corner"], 0, "corner: a path exists; a path for the robot grown by 0.009"),
         (["corner-too-long"], 1, "no path, proven; a path for the robot shrunk by 0.012"),
-        (["corner", "--by", "scale"], 0, "a path remains; a path for the robot scaled by 1.01"),
+        (["corner", "--by", "scale"], 0, "a path exists; a path for the robot scaled by 1.01"),
         (["slot", "--max-cells", "1"], 3, "stopped short"),
-        (["open"], 0, "bound by: a larger one collides at the start"),
-        (["window-fixed"], 1, "bound by: only a robot shrunk to nothing passes"),
+        (["open"], 0, "bound by: a larger robot collides at the start"),
+        (["window-fixed"], 1, "bound by: only a robot that is shrunk to nothing passes"),
     ],
 )
 def test_status_and_text(

@@ -117,6 +117,6 @@ def test_what_a_scene_says_itself_is_not_ignored(
     option: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     name = option.partition("=")[0]
-    said = f"corner: is a scene, and {name} is for files in outside formats"
+    said = f"corner: is a scene file, and {name} is for files in other formats"
     for command in ("check", "show"):
         assert said in refused(capsys, command, "corner", option)

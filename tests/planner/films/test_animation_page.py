@@ -180,7 +180,7 @@ def test_a_robot_that_may_not_turn_has_one_slice() -> None:
     assert content["rotation"] is False
     shown = theta_slice(material.cells, material.problem.start[2])
     assert content["cells"]["shown"] == len(shown) == len(material.cells)
-    assert "faces are not drawn" in content["note"]
+    assert "does not draw faces" in content["note"]
 
 
 def test_cells_of_a_second_search_are_called_so() -> None:

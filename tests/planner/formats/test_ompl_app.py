@@ -193,7 +193,7 @@ def test_broken_meshes_say_where(text: str, place: str, tmp_path: Path) -> None:
     ("change", "place"),
     [
         (("[problem]", "[other]"), "[problem]: section is missing"),
-        (("[problem]", "problem"), "is no INI file"),
+        (("[problem]", "problem"), "is not an INI file"),
         (("robot = robot.dae", ""), "[problem] robot: is missing"),
         (("world.dae", "none.dae"), "none.dae: cannot read"),
         (("start.x = -5", "start.x = left"), "[problem] start.x: must be a number"),

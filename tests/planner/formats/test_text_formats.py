@@ -42,7 +42,7 @@ def test_plain_well_known_text_is_obstacles(tmp_path: Path) -> None:
     (tmp_path / "r.rob").write_text(ROB)
     scene = read(tmp_path / "s.wkt", text, robot=tmp_path / "r.rob", **ENDS)
     assert len(scene.obstacles) == 2
-    assert any("bounds nothing" in note for note in scene.notes)
+    assert any("states no bounds" in note for note in scene.notes)
 
 
 @pytest.mark.parametrize(

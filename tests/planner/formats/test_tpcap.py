@@ -37,7 +37,7 @@ WALLED = case(
 def test_cases_are_decided(text: str, verdict: str, tmp_path: Path) -> None:
     scene = read(tmp_path / "case.csv", text)
     assert solve(scene).verdict == verdict
-    assert any("bounds nothing" in note for note in scene.notes)
+    assert any("states no bounds" in note for note in scene.notes)
 
 
 def test_the_car_stands_on_its_rear_axle(tmp_path: Path) -> None:
@@ -99,7 +99,7 @@ def test_repeated_vertices_are_dropped_and_told(tmp_path: Path) -> None:
         ("", "seven numbers"),
         ("1,2,3,4,5", "seven numbers"),
         ("0,0,0,1,1,0,2,4", "value 9 (vertices of obstacle 2)"),
-        ("0,0,0,1,1,0,1,4,0,0,1,0,1,1", "14 values where 16"),
+        ("0,0,0,1,1,0,1,4,0,0,1,0,1,1", "14 values, but it announces 16"),
         ("0,0,zero,1,1,0,0", "value 3"),
         ("0,0,nan,1,1,0,0", "value 3"),
         ("0,0,0,1,1,0,1.5", "value 7"),

@@ -155,7 +155,7 @@ def file_of(tmp_path: Path, goal: Any) -> str:
             "a comparison with samplers needs a configuration",
             marks=pytest.mark.skipif(find_spec("ompl") is None, reason="needs OMPL"),
         ),
-        (["convert", "{out}.svg"], "only scene files hold those"),
+        (["convert", "{out}.svg"], "only scene files can state regions"),
     ],
 )
 def test_who_needs_a_configuration_says_so(

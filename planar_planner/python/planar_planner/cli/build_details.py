@@ -1,4 +1,4 @@
-"""What `planar-planner --version` says: all that a report of a defect needs to be reproduced."""
+"""The output of `planar-planner --version`: the facts that reproduce a bug report."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Scripts that complete the command line in a shell, made by shtab from the parser itself.
+"""Scripts that complete the command line in a shell; shtab makes them from the parser itself.
 
-An argument says by its placeholder what completes it: SCENE the built-in names and files; FILE, OUT
-and CERT files.
+The placeholder of an argument determines its completions: built-in names and files for SCENE, and
+files for FILE, OUT and CERT.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from planar_planner.cli.command_parser import CommandParser
 from planar_planner.scene.builtin import builtin_scenes
 
 _FILES = ("FILE", "OUT", "CERT")
-_FUNCTION = "_planar_planner_scene_or_file"  # shtab's bash escapes what a name with _file returns
+_FUNCTION = "_planar_planner_scene_or_file"  # shtab's bash escapes results of a name with _file
 
 
 def completion_script(shell: str, parser: CommandParser) -> str:

@@ -1,4 +1,4 @@
-"""`planar-planner compare`: ours and OMPL's planners on scenes in one run."""
+"""`planar-planner compare`: runs this planner and OMPL's planners on the same scenes."""
 
 from __future__ import annotations
 
@@ -40,13 +40,13 @@ def add(commands: Any) -> None:
         "scenes",
         metavar="SCENE",
         nargs="+",
-        help="built-in names (see list) or files: scenes or outside formats",
+        help="built-in names (see list) or files, scenes or any other known format",
     )
     compare.add_argument(
         "--planners",
         metavar="A,B,…",
         default=",".join(DEFAULT_SAMPLERS),
-        help="OMPL's planners by name (default: %(default)s)",
+        help="names of OMPL's planners (default: %(default)s)",
     )
     for name, metavar, kind, default, what in (
         ("runs", "N", whole_number, 11, "runs of each planner"),
@@ -68,7 +68,7 @@ def add(commands: Any) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Compare, and report scene by scene; then JSON and picture. 0 unless the input is wrong."""
+    """Compare, report scene by scene, and write JSON and picture; return 0."""
     from planar_planner.ompl.compare import Settings, check_scene, compare, require_ompl
 
     settings = Settings(
@@ -84,7 +84,7 @@ def run(arguments: argparse.Namespace) -> int:
         check_writable(arguments.plot)
     require_ompl()
     scenes = [scene_of(arguments, name, quiet=quiet) for name in arguments.scenes]
-    for scene in scenes:  # a mistake in the last one shows before the first one's runs
+    for scene in scenes:  # a mistake in the last scene is reported before the first run
         check_scene(scene)
     comparisons = []
     for scene in scenes:

@@ -1,4 +1,4 @@
-"""`planar-planner completion`: a script for the shell."""
+"""`planar-planner completion`: prints a completion script for a shell."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def add(commands: Any) -> None:
         examples=("completion bash", "completion zsh"),
         status=DONE,
     )
-    completion.add_argument("shell", choices=SHELLS, help="see docs/command-line.md")
+    completion.add_argument("shell", choices=SHELLS, help="name of the shell")
     completion.set_defaults(run=run)
 
 
