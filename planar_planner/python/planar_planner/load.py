@@ -38,8 +38,8 @@ def load_scene(scene: SceneLike, importing: ImportOptions | None = None) -> Scen
         is that scene; write ``./name`` for a file called the same. In a mapping, numpy arrays and
         objects with ``__geo_interface__`` (shapely) are welcome. A `Scene` is returned as it is.
     importing : ImportOptions, optional
-        Start and goal to use instead of the scene's own, and for files in outside formats all that
-        they do not say.
+        Start and goal to use instead of the scene's own, and for files in other formats everything
+        that they do not state.
 
     Returns
     -------
@@ -93,7 +93,7 @@ def _with_ends(scene: Scene, options: ImportOptions) -> Scene:
         if getattr(given, field.name) != field.default:
             name = "role" if field.name == "roles" else field.name
             raise SceneError(
-                f"is a scene, and --{name} is for files in outside formats", source=scene.source
+                f"is a scene file, and --{name} is for files in other formats", source=scene.source
             )
     return with_ends(scene, options.start, options.goal)
 

@@ -16,7 +16,7 @@ def read_scene(kind: Format, path: Path, data: bytes, options: ImportOptions) ->
     Raises
     ------
     SceneError
-        If the file is wrong, or does not say everything and the options do not either.
+        If the file is wrong, or if file and options together do not state everything.
     """
     from planar_planner.formats.assemble import scene_of_parts
     from planar_planner.formats.robots import chosen_robot
