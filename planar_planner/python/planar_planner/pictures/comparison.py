@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from planar_planner.ompl.compare import SceneComparison, Settings
 
 OURS = "#000000"
-# Okabe and Ito's colours, apart with any common colour blindness; shapes repeat the distinction.
+# Okabe and Ito's colours, distinct with any common colour blindness; shapes repeat the distinction.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#F0E442")
 MARKERS = ("o", "s", "^", "D", "v", "P", "X")
 
 SCENE_WIDTH = 0.9  # inches
-OTHER_WIDTH = 4.5  # of the axis and the legend
+OTHER_WIDTH = 4.5  # inches of the axis and the legend
 HEIGHT = 4.5
 LIMIT_FACTOR = 1.5  # runs without an answer are drawn this much above the limit
 
@@ -32,16 +32,16 @@ def draw_comparison(
     file: str | os.PathLike[str],
     suffix: str,
 ) -> None:
-    """Draw medians with quartiles, one column a scene; a cross is a median beyond the limit.
+    """Draw medians with quartiles, one column per scene; a cross is a median beyond the limit.
 
     Parameters
     ----------
     comparisons : sequence of SceneComparison
-        At least one.
+        At least one comparison.
     settings : Settings
-        Of all of them.
+        The settings of all comparisons.
     file : path
-        To write to.
+        File to write.
     suffix : str
         The format: ``.png``, ``.svg`` or ``.pdf``.
     """
@@ -90,7 +90,7 @@ def draw_comparison(
 
 
 def _offset(k: int, count: int) -> float:
-    """Spread the planners of a scene over most of its column."""
+    """Return the offsets that spread the planners of a scene over most of its column."""
     return 0.7 * (k / max(count - 1, 1) - 0.5)
 
 

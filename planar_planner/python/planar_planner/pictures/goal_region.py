@@ -1,4 +1,4 @@
-"""A goal that is a set of places, or the outline that the robot is to get out of."""
+"""The drawing of a goal region, or of the outline that the robot has to leave."""
 
 from __future__ import annotations
 
