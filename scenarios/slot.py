@@ -2,8 +2,8 @@
 
 from scenarios.model import Ring, Scene, polygon, scene
 
-# The critical neck is BAR + STEM = 1.25, the part's width with its bar upright: the planner finds no
-# path at 1.249, and one at 1.251.
+# The critical neck is BAR + STEM = 1.25, the part's width with its bar upright: the planner finds
+# no path at 1.249, and one at 1.251.
 PATH_NECK = 1.4
 JAMMED_NECK = 1.1
 
