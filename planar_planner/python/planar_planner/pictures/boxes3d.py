@@ -57,8 +57,8 @@ def space_axes(
 def draw_boxes(axes: Axes3D, cells: Cells, colour: str, alpha: float, zorder: float) -> int:
     """Draw the faces of boxes that look towards the eye, and return the number of boxes drawn.
 
-    Of more than `MOST_BOXES` boxes only those of largest volume are drawn. Flat boxes (faces, or
-    all boxes of a robot that may not turn) are drawn flat.
+    At most `MOST_BOXES` boxes are drawn, those of largest volume. Flat boxes (faces, or all boxes
+    of a robot that may not turn) are drawn flat.
     """
     volumes = np.prod(cells.upper - cells.lower, axis=1)
     kept = np.sort(np.argsort(-volumes, kind="stable")[:MOST_BOXES])
