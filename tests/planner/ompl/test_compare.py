@@ -105,7 +105,7 @@ def test_names_are_found_whatever_their_case_and_once() -> None:
     [
         (["RRTConect"], "did you mean 'RRTConnect'"),
         (["EST"], "unknown planner 'EST'"),
-        ([], "no planner"),
+        ([], "at least one planner"),
     ],
 )
 def test_unknown_names_are_refused(names: list[str], message: str) -> None:
