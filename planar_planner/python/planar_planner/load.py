@@ -33,7 +33,7 @@ def load_scene(scene: SceneLike, importing: ImportOptions | None = None) -> Scen
     Parameters
     ----------
     scene : str, path, mapping or Scene
-        The name of a built-in scene, the path of a scene file or of a file in an outside format
+        The name of a built-in scene, the path of a scene file or of a file in another format
         (``docs/formats.md``), or the content of a scene file. A string that names a built-in scene
         is that scene; write ``./name`` for a file called the same. In a mapping, numpy arrays and
         objects with ``__geo_interface__`` (shapely) are welcome. A `Scene` is returned as it is.

@@ -12,7 +12,7 @@ _LIBRARIES = ("numpy", "shapely", "matplotlib", "rich")
 
 
 def build_details() -> str:
-    """Return the program's version in the first line, and what it is built of and runs on."""
+    """Return the version in the first line, then facts about the build and the system."""
     lines = [f"planar-planner {package_version()}"]
     rows = {**_core(), **_surroundings()}
     width = max(map(len, rows))

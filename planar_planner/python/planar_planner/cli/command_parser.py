@@ -111,5 +111,5 @@ def _did_you_mean(name: str, known: Iterable[str]) -> str:
 
 
 def _scene_hint(name: str) -> str:
-    """Return what to type if a scene stands where a command belongs."""
+    """Return the command to type if a scene stands in the place of a command."""
     return f"; it is a scene: planar-planner solve {name}" if name in builtin_scenes() else ""

@@ -1,4 +1,4 @@
-"""Parts of a file → a scene.
+"""From the parts of a file to a scene.
 
 The options supply what a file does not state; one error names everything that is still missing. The
 unbounded plane gets bounds that change no verdict. Coordinates far from the origin are moved there

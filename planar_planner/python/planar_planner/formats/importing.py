@@ -1,4 +1,4 @@
-"""A file in an outside format becomes a scene."""
+"""The step from a file in another format to a scene."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from planar_planner.scene.model import Scene
 
 
 def read_scene(kind: Format, path: Path, data: bytes, options: ImportOptions) -> Scene:
-    """Make a scene of a file in an outside format.
+    """Return the scene of a file in another format.
 
     Raises
     ------

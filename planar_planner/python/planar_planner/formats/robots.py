@@ -63,7 +63,7 @@ def _padded(value: float, padding: float) -> float:
 
 
 def _from_file(path: Path, options: ImportOptions, notes: Notes) -> list[Shape]:
-    """Return the robot of a file, or its only shape if none is called the robot."""
+    """Return the robot of a file, or its only shape if no shape has the role of the robot."""
     data = file_bytes(path, str(path))
     kind = registry.format_of(path, data)
     if kind is None:

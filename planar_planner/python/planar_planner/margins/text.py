@@ -54,7 +54,7 @@ def margin_details(margin: Margin) -> str:
 
 def _range(margin: Margin) -> str:
     if math.isinf(margin.lower):
-        return "the robot can be as large as you like"
+        return "the robot can have any size"
     digits = 2 + max(0, math.ceil(-math.log10(margin.width)))
     low, high = round(margin.lower, digits), round(margin.upper, digits)
     what = "scaled by" if margin.by == "scale" else "grown by"

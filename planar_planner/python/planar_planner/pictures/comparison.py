@@ -101,7 +101,7 @@ def _series(
     offset: float,
     **style: Any,
 ) -> None:
-    """Draw a planner: a marker with a bar a scene, or a cross above the limit."""
+    """Draw a planner: for each scene a marker with a bar, or a cross above the limit."""
     ceiling = LIMIT_FACTOR * 1e3 * settings.timeout
     found = [(i + offset, spread(values)) for i, values in enumerate(seconds)]
     solved = [(x, s) for x, s in found if math.isfinite(s.median)]

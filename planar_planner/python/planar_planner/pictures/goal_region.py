@@ -15,7 +15,7 @@ from planar_planner.problem.goal import GoalSet
 
 
 def draw_goal_region(axes: Axes, goal: GoalSet) -> list[Artist]:
-    """Draw where the reference point is to get, or the polygon that it is to get out of."""
+    """Draw the region for the reference point, or the polygon that it has to leave."""
     style: dict[str, Any] = {"linewidth": 1.4, "edgecolor": GOAL}
     if goal.left is None:
         label = "goal: reference point in here"

@@ -49,10 +49,10 @@ def add(commands: Any) -> None:
         help="names of OMPL's planners (default: %(default)s)",
     )
     for name, metavar, kind, default, what in (
-        ("runs", "N", whole_number, 11, "runs of each planner"),
-        ("timeout", "SECONDS", real_number, 10.0, "time of a run"),
-        ("resolution", "FRACTION", real_number, 0.002, "of OMPL's motion validation"),
-        ("seed", "N", whole_number, 0, "run i (from 0) of a planner has the seed N + i + 1"),
+        ("runs", "N", whole_number, 11, "number of runs of each planner"),
+        ("timeout", "SECONDS", real_number, 10.0, "longest time of a run"),
+        ("resolution", "FRACTION", real_number, 0.002, "resolution of OMPL's motion validation"),
+        ("seed", "N", whole_number, 0, "run i (from 0) of a planner uses the seed N + i + 1"),
     ):
         compare.add_argument(
             f"--{name}",
