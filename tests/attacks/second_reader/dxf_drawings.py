@@ -15,6 +15,7 @@ from typing import Any
 
 import ezdxf
 from ezdxf.document import Drawing as Document
+from ezdxf.math import closed_uniform_bspline
 
 from .model import Drawing
 
@@ -196,7 +197,8 @@ def stray_line(sheet: Sheet) -> None:
 
 @feature
 def hole(sheet: Sheet) -> None:
-    outline(sheet, square(5, 5, 60))
+    draw = sheet.rng.choice([outline, _lines])
+    draw(sheet, square(5, 5, 60))
     if sheet.rng.random() < 0.5:
         outline(sheet, square(20, 20, 25)[:: sheet.rng.choice([1, -1])])
     else:
@@ -211,17 +213,21 @@ def island_in_hole(sheet: Sheet) -> None:
 
 
 @feature
-def hole_touches_corner(sheet: Sheet) -> None:
-    turn = math.radians(sheet.rng.choice([0, 30]))
-    rings = square(0, 0, 60), [(0.0, 30.0), (20.0, 20.0), (20.0, 40.0)]
-    for ring in rings:
-        outline(
-            sheet,
-            [
-                (x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn))
-                for x, y in ring
-            ],
-        )
+def hole_touches_edge(sheet: Sheet) -> None:
+    _touching(sheet, 0.0)
+
+
+@feature
+def hole_touches_turned_edge(sheet: Sheet) -> None:
+    _touching(sheet, math.radians(30))
+
+
+def _touching(sheet: Sheet, turn: float) -> None:
+    """Draw a triangular hole whose corner lies on the outline."""
+    cos, sin = math.cos(turn), math.sin(turn)
+    x = sheet.rng.randint(10, 40)
+    for ring in (square(0, 0, 60), [(0.0, 30.0), (x, 20.0), (x, 40.0)]):
+        outline(sheet, [(px * cos - py * sin, px * sin + py * cos) for px, py in ring])
 
 
 @feature
@@ -309,7 +315,8 @@ def spline_rational(sheet: Sheet) -> None:
 def spline_closed(sheet: Sheet) -> None:
     points = [(10, 10), (50, -5), (80, 30), (60, 70), (10, 60)]
     if sheet.rng.random() < 0.5:
-        sheet.space.add_closed_spline(points, dxfattribs=LAYER)
+        spline = sheet.space.add_spline(dxfattribs=LAYER)
+        spline.apply_construction_tool(closed_uniform_bspline(points, order=4))
     else:
         spline = sheet.space.add_open_spline([*points, points[0]], dxfattribs=LAYER)
         spline.closed = True
@@ -419,16 +426,20 @@ def polyline_curve_fit(sheet: Sheet) -> None:
 @feature
 def polyline_spline_fit(sheet: Sheet) -> None:
     """The vertices of the control frame (flag 16) are stored beside those of the curve (8)."""
-    line = sheet.space.add_polyline2d([], close=True, dxfattribs={**LAYER, "flags": 5})
-    frame = square(5, 5, 80)
-    curve = [
-        (45 + 30 * math.cos(t / 8 * math.tau), 45 + 30 * math.sin(t / 8 * math.tau))
-        for t in range(8)
-    ]
-    for p in frame:
-        line.append_vertex(p, dxfattribs={"flags": 16})
-    for p in curve:
-        line.append_vertex(p, dxfattribs={"flags": 8})
+    closed = sheet.rng.random() < 0.5
+    if closed:
+        frame = square(5, 5, 80)
+        turns = [k / 8 * math.tau for k in range(8)]
+        curve = [(45 + 30 * math.cos(t), 45 + 30 * math.sin(t)) for t in turns]
+    else:
+        frame = [(30, 10), (30, 80), (50, 80), (50, 10)]
+        curve = [(30, 10), (34, 45), (40, 50), (46, 45), (50, 10)]
+        sheet.space.add_line(frame[0], frame[-1], dxfattribs=LAYER)
+    flags = {**LAYER, "flags": 5 if closed else 4}
+    line = sheet.space.add_polyline2d([], close=closed, dxfattribs=flags)
+    for kind, points in ((16, frame), (8, curve)):
+        for p in points:
+            line.append_vertex(p, dxfattribs={"flags": kind})
 
 
 @feature
@@ -457,6 +468,7 @@ def face_3d(sheet: Sheet) -> None:
 
 def _hatch(sheet: Sheet) -> Any:
     hatch = sheet.space.add_hatch(color=7, dxfattribs=LAYER)
+    seen(sheet)
     if sheet.rng.random() < 0.3:
         hatch.set_pattern_fill("ANSI31", scale=0.5)
     return hatch
@@ -769,7 +781,7 @@ def insunits(sheet: Sheet) -> None:
 
 
 @feature
-def annotations(sheet: Sheet) -> None:
+def text_and_points(sheet: Sheet) -> None:
     """Text and dimensions are no walls."""
     outline(sheet, square(*place(sheet.rng)))
     sheet.space.add_text("A", height=5, dxfattribs={**LAYER, "insert": (90, 90)})

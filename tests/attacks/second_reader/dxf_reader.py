@@ -117,7 +117,8 @@ def read(drawing: Drawing) -> Sequence[Reading]:
 
 def shown_by_layer(data: bytes) -> _Shown:
     """Return what a file shows."""
-    document = ezdxf.read(io.StringIO(data.decode("utf-8-sig", errors="replace")))
+    text = data.decode("utf-8-sig", errors="replace").replace("\r\n", "\n")
+    document = ezdxf.read(io.StringIO(text))
     shown = _Shown()
     config = Configuration(
         hatch_policy=HatchPolicy.SHOW_SOLID,
@@ -146,18 +147,36 @@ def _closed(line: Line) -> bool:
 
 
 def _polygonised(lines: Sequence[Line]) -> list[Region]:
-    """Return what loose lines enclose; lines that share a point make one area."""
+    """Return what loose lines enclose; lines that hang together make one area without holes."""
     if not lines:
         return []
     snapped = [shapely.set_precision(shapely.LineString(line), SNAP) for line in lines]
-    faces = shapely.polygonize([shapely.union_all(snapped)]).geoms
-    whole = shapely.union_all([shapely.Polygon(face.exterior) for face in faces])
-    kept = shapely.union_all(list(faces))
-    return [
-        part
-        for part in shapely.get_parts(whole).tolist()
-        if part.geom_type == "Polygon" and part.intersection(kept).area > 0
-    ] + [shapely.Polygon(hole) for part in shapely.get_parts(kept) for hole in part.interiors]
+    parts = shapely.get_parts(shapely.union_all([line for line in snapped if not line.is_empty]))
+    found = []
+    for group in _hanging_together(parts):
+        faces = shapely.get_parts(shapely.polygonize(group))
+        outer = shapely.union_all([shapely.Polygon(face.exterior) for face in faces])
+        found += [part for part in shapely.get_parts(outer) if part.geom_type == "Polygon"]
+    return found
+
+
+def _hanging_together(parts: Any) -> list[list[Region]]:
+    """Return the lines in groups that share points."""
+    first, second = shapely.STRtree(parts).query(parts, predicate="intersects")
+    group = list(range(len(parts)))
+
+    def leader(i: int) -> int:
+        while group[i] != i:
+            i = group[i]
+        return i
+
+    for i, j in zip(first.tolist(), second.tolist(), strict=True):
+        a, b = leader(i), leader(j)
+        group[max(a, b)] = min(a, b)
+    groups: dict[int, list[Region]] = defaultdict(list)
+    for i, part in enumerate(parts):
+        groups[leader(i)].append(part)
+    return list(groups.values())
 
 
 def _alternating(shapes: Sequence[Region]) -> Region:

@@ -68,7 +68,7 @@ def _reader(name: str, *, browser: bool) -> AbstractContextManager[Reader]:
     kind = FORMATS[name]
     module = _module(kind.reader)
     if name == "svg":
-        opened: AbstractContextManager[Reader] = module.opened(browser=browser)
+        opened: AbstractContextManager[Reader] = module.opened(with_browser=browser)
         return opened
     return nullcontext(getattr(module, kind.read))
 

@@ -15,7 +15,7 @@ Maker = Callable[[random.Random], "tuple[str, dict[str, Any]]"]
 
 GEOJSON: dict[str, Callable[[random.Random], tuple[Any, dict[str, Any]]]] = {}
 WKT: dict[str, Callable[[random.Random], tuple[str, dict[str, Any]]]] = {}
-TOLD = r"left out|ignored|skipped|not read|outside|null|Line|Point|empty|EMPTY"
+TOLD = r"left out|ignored|skipped|not read|outside|null|Line|Point|empty|EMPTY|moved by"
 
 
 def square(x: float, y: float, w: float) -> Ring:
@@ -100,7 +100,13 @@ def drawings_wkt(rng: random.Random, count: int, only: str = "") -> Iterator[Dra
             text = "\n".join(_wkt([r]) for r in [hints["extra"]]) if "extra" in hints else ""
             text = f"{_wkt(rings)}\n{text}\n"
         yield Drawing(
-            name, "d.wkt", {"d.wkt": text.encode()}, {}, hints.get("must_say", ""), TOLD, hints
+            name,
+            "d.wkt",
+            {"d.wkt": text.encode()},
+            hints.get("ends", {}),
+            hints.get("must_say", ""),
+            TOLD,
+            hints,
         )
 
 
@@ -118,12 +124,18 @@ def drawings_geojson(rng: random.Random, count: int, only: str = "") -> Iterator
             )
         data = json.dumps(content).encode()
         yield Drawing(
-            name, "d.geojson", {"d.geojson": data}, {}, hints.get("must_say", ""), TOLD, hints
+            name,
+            "d.geojson",
+            {"d.geojson": data},
+            hints.get("ends", {}),
+            hints.get("must_say", ""),
+            TOLD,
+            hints,
         )
 
 
 def _wkt(rings: list[Ring], kind: str = "POLYGON") -> str:
-    body = ", ".join("(" + ", ".join(f"{x:g} {y:g}" for x, y in ring) + ")" for ring in rings)
+    body = ", ".join("(" + ", ".join(f"{x} {y}" for x, y in ring) + ")" for ring in rings)
     return f"{kind} ({body})"
 
 
@@ -304,7 +316,7 @@ def wkt_several_a_line(rng: random.Random) -> str:
 
 
 @wkt
-def wkt_far(rng: random.Random) -> str:
+def wkt_far(rng: random.Random) -> tuple[str, dict[str, Any]]:
     return _far(rng, _wkt)
 
 
@@ -313,7 +325,8 @@ def wkt_far(rng: random.Random) -> str:
 
 def _far(rng: random.Random, make: Callable[[list[Ring]], Any]) -> Any:
     x, y = rng.choice([(500000.25, 4649776.5), (-1e7, 3.0), (5e5 + 0.1, 4649776.3)])
-    return make([square(x, y, 3), square(x + 1, y + 1, 0.5)])
+    ends = {"start": [x - 1, y, 0.0], "goal": [x - 1, y + 3, 0.0]}
+    return make([square(x, y, 3), square(x + 1, y + 1, 0.5)]), {"ends": ends}
 
 
 @geojson

@@ -326,7 +326,8 @@ def rect_rounded(rng: random.Random) -> Fragment:
             'rx="auto" ry="9"',
             'rx="0" ry="9"',
             'rx="20%"',
-            'rx="-3" ry="9"',
+            'rx="-20" ry="9"',
+            'rx="9" ry="-20"',
             'rx="2mm"',
         ]
     )
@@ -683,9 +684,8 @@ def symbol_not_used(rng: random.Random) -> Fragment:
 
 @feature
 def nested_svg(rng: random.Random) -> Fragment:
-    return Fragment(
-        f'<svg x="{rng.randint(5, 30)}" y="{rng.randint(5, 30)}" overflow="visible">{box(rng)}</svg>'
-    )
+    x, y = rng.randint(5, 30), rng.randint(5, 30)
+    return Fragment(f'<svg x="{x}" y="{y}" overflow="visible">{box(rng)}</svg>')
 
 
 @feature

@@ -57,9 +57,9 @@ Alpha = NDArray[np.uint8]
 
 
 @contextmanager
-def opened(*, browser: bool = True) -> Iterator[Reader]:
+def opened(*, with_browser: bool = True) -> Iterator[Reader]:
     """Yield the second reader, with a browser behind it if there is one."""
-    chrome = _started() if browser else None
+    chrome = _started() if with_browser else None
     try:
         yield SvgReader(chrome).read
     finally:
@@ -143,13 +143,20 @@ def _by_resvg(text: str) -> Alpha | None:
         return np.asarray(image)[..., 3]
 
 
+def browser() -> tuple[str, str] | None:
+    """Return the paths of a browser and its driver, or None."""
+    names = ("chromium", "chromium-browser", "google-chrome")
+    program = next(filter(None, map(shutil.which, names)), None)
+    driver = shutil.which("chromedriver")
+    return (program, driver) if program and driver else None
+
+
 def _started() -> Any:
     """Return a headless Chromium, or None."""
-    browsers = ("chromium", "chromium-browser", "google-chrome")
-    program = next(filter(None, map(shutil.which, browsers)), None)
-    driver = shutil.which("chromedriver")
-    if program is None or driver is None:
+    found = browser()
+    if found is None:
         return None
+    program, driver = found
     try:
         from selenium import webdriver
         from selenium.webdriver.chrome.service import Service
