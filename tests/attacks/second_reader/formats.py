@@ -7,6 +7,7 @@ import random
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
+from typing import Any
 
 from .judge import Reader, judged
 from .model import Drawing, Outcome
@@ -44,13 +45,19 @@ class Format:
 
 
 FORMATS = {
-    "svg": Format("svg_drawings", "svg_reader"),
-    "dxf": Format("dxf_drawings", "dxf_reader"),
-    "map": Format("map_drawings", "map_reader"),
-    "mesh": Format("mesh_drawings", "mesh_reader"),
-    "wkt": Format("gis_drawings", "gis_reader", "drawings_wkt", "SHARED WKT", "read_wkt"),
+    "svg": Format("drawings.svg_drawings", "readers.svg_reader"),
+    "dxf": Format("drawings.dxf_drawings", "readers.dxf_reader"),
+    "map": Format("drawings.map_drawings", "readers.map_reader"),
+    "mesh": Format("drawings.mesh_drawings", "readers.mesh_reader"),
+    "wkt": Format(
+        "drawings.gis_drawings", "readers.gis_reader", "drawings_wkt", "SHARED WKT", "read_wkt"
+    ),
     "geojson": Format(
-        "gis_drawings", "gis_reader", "drawings_geojson", "SHARED GEOJSON", "read_geojson"
+        "drawings.gis_drawings",
+        "readers.gis_reader",
+        "drawings_geojson",
+        "SHARED GEOJSON",
+        "read_geojson",
     ),
 }
 
@@ -73,5 +80,5 @@ def _reader(name: str, *, browser: bool) -> AbstractContextManager[Reader]:
     return nullcontext(getattr(module, kind.read))
 
 
-def _module(name: str):  # type: ignore[no-untyped-def]
+def _module(name: str) -> Any:
     return importlib.import_module(f".{name}", __package__)

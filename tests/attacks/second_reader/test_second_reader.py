@@ -14,11 +14,12 @@ import numpy as np
 import pytest
 import shapely
 
-from . import known_faults, svg_reader
+from . import known_faults
 from .formats import FORMATS, outcomes
 from .importer import Import
 from .judge import compared, difference
 from .model import Drawing, Exact, Raster, Reading, Verdict
+from .readers import svg_reader
 
 NEEDED = {
     "svg": "resvg_py",
@@ -80,7 +81,7 @@ def test_a_raster_is_compared_cell_by_cell() -> None:
 
 def test_the_dxf_reader_fills_outlines_holes_and_hatches() -> None:
     pytest.importorskip("ezdxf")
-    from .dxf_reader import _filled
+    from .readers.dxf_reader import _filled
 
     def square(x: float, w: float) -> list[tuple[float, float]]:
         return [(x, x), (x + w, x), (x + w, x + w), (x, x + w), (x, x)]
@@ -96,7 +97,7 @@ def test_the_dxf_reader_fills_outlines_holes_and_hatches() -> None:
 
 def test_the_map_reader_averages_opacity_as_the_older_server_does() -> None:
     pytest.importorskip("PIL")
-    from .map_reader import _occupied
+    from .readers.map_reader import _occupied
 
     hints = {"mode": "trinary", "occupied": 0.65, "free": 0.25, "negate": False}
     colours = np.array([[[0.0], [0.0], [1.0], [1.0]]])
@@ -113,8 +114,8 @@ def test_the_map_reader_averages_opacity_as_the_older_server_does() -> None:
 def test_the_mesh_reader_turns_the_upward_axis_and_takes_the_unit() -> None:
     pytest.importorskip("trimesh")
     pytest.importorskip("collada")
-    from .mesh_drawings import World, document, geometry, node, triangles
-    from .mesh_reader import projected
+    from .drawings.mesh_drawings import World, document, geometry, node, triangles
+    from .readers.mesh_reader import projected
 
     flat = geometry([(0, -5, 0), (4, -5, 0), (0, -5, 2)], triangles([0, 1, 2]))
     world = World(flat, node(), up="<up_axis>Z_UP</up_axis>", unit='<unit meter="0.5"/>')

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
-from .model import Drawing
+from ..model import Drawing
 from .svg_paths import Pen, joined, number, star
 
 SEEN = r"hidden|not shown|invisible|not drawn|not painted|display|ignored|left out|skipped"

@@ -7,7 +7,7 @@ import random
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from .model import Drawing
+from ..model import Drawing
 
 Ring = list[list[float]]
 Geometry = dict[str, Any]

@@ -7,7 +7,7 @@ import random
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from .model import Drawing
+from ..model import Drawing
 
 Corner = tuple[float, float, float]
 

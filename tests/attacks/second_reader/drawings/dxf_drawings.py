@@ -17,7 +17,7 @@ import ezdxf
 from ezdxf.document import Drawing as Document
 from ezdxf.math import closed_uniform_bspline
 
-from .model import Drawing
+from ..model import Drawing
 
 SEEN = (
     r"hidden|not shown|invisible|not drawn|frozen|switched off|off layer|left out|skipped|ignored"

@@ -26,8 +26,8 @@ from ezdxf.addons.drawing.config import (
 from ezdxf.addons.drawing.properties import BackendProperties
 from ezdxf.math import Vec2
 
-from .judge import UnreadableError
-from .model import Drawing, Exact, Reading, Region
+from ..judge import UnreadableError
+from ..model import Drawing, Exact, Reading, Region
 
 FLAT = 0.002
 """Farthest that flattened curves are from themselves, in drawing units."""

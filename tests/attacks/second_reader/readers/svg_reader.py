@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .judge import Reader, UnreadableError
-from .model import Drawing, Raster, Reading
+from ..judge import Reader, UnreadableError
+from ..model import Drawing, Raster, Reading
 
 ZOOM = 4
 """Pixels a CSS pixel."""

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from .model import Drawing, Raster, Reading
+from ..model import Drawing, Raster, Reading
 
 Shades = NDArray[np.float64]
 Cells = NDArray[np.bool_]

@@ -13,8 +13,8 @@ from typing import Any
 
 import shapely
 
-from .judge import UnreadableError
-from .model import Drawing, Exact, Reading, Region
+from ..judge import UnreadableError
+from ..model import Drawing, Exact, Reading, Region
 
 
 def read_wkt(drawing: Drawing) -> Sequence[Reading]:

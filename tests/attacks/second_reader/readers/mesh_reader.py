@@ -14,8 +14,8 @@ import numpy as np
 import shapely
 import trimesh
 
-from .judge import UnreadableError
-from .model import Drawing, Exact, Reading, Region
+from ..judge import UnreadableError
+from ..model import Drawing, Exact, Reading, Region
 
 _UPRIGHT = {
     "Y_UP": np.eye(3),

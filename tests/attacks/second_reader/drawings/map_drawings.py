@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from PIL import Image
 
-from .model import Drawing
+from ..model import Drawing
 
 Maker = Callable[[random.Random], tuple[str, bytes]]
 MAKERS: dict[str, Maker] = {}
