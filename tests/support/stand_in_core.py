@@ -7,6 +7,9 @@ from collections.abc import Callable
 from typing import Any, ClassVar
 
 import numpy as np
+import pytest
+
+from planar_planner import _core
 
 FREE = {
     "state": "free",
@@ -77,3 +80,13 @@ class FakeCore:
 
     def least_clearance(self) -> float:
         return float("inf")
+
+
+def refuse_the_real_core(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the real core raise when it is asked: the stand-in then was not in its place."""
+
+    def asked(*_arguments: object, **_limits: object) -> None:
+        raise AssertionError("the real core was asked while a stand-in was planted")
+
+    for question in ("placement", "solve"):
+        monkeypatch.setattr(_core.Core, question, asked)

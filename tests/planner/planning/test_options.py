@@ -10,18 +10,24 @@ from typing import Any
 
 import pytest
 
+from planar_planner.cli.arguments.limits import options_of
+from planar_planner.cli.parser import make_parser
 from planar_planner.errors import OptionsError
 from planar_planner.planning.options import Options
 
 
-def test_defaults() -> None:
-    assert dataclasses.asdict(Options()) == {
-        "resolution": 1e-9,
-        "max_cells": 5_000_000,
-        "timeout": 60.0,
-        "max_memory": 4 * 2**30,
-        "contact_tolerance": 0.0,
-    }
+def test_the_command_line_has_the_same_defaults() -> None:
+    for command in ("solve", "check"):
+        assert options_of(make_parser().parse_args([command, "gear"])) == Options()
+
+
+def test_the_help_states_the_memory_that_is_the_default(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        make_parser().parse_args(["solve", "--help"])
+    stated = re.search(r"unit K, M, G\s+or T\s+\(default:\s+(\w+)\)", capsys.readouterr().out)
+    assert stated is not None
+    arguments = make_parser().parse_args(["solve", "gear", "--max-memory", stated[1]])
+    assert options_of(arguments) == Options()
 
 
 def test_the_native_defaults_are_the_same() -> None:
