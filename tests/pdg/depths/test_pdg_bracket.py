@@ -44,11 +44,11 @@ def sampled_least(a: shapely.Geometry, b: shapely.Geometry, q: Pose, theta: floa
     """Least DISP over points along the slice's boundary: at most SPACING too large."""
     moving = [placed(t, (*q[:2], theta)) for t in triangles(a)]
     sums = [(y[:, None] - x[None]).reshape(-1, 2) for x in moving for y in triangles(b)]
-    obstacle = shapely.union_all([shapely.MultiPoint(points).convex_hull for points in sums])
+    obstacle = shapely.union_all([shapely.multipoints(points).convex_hull for points in sums])
     hull = shapely.get_coordinates(a.convex_hull)[:-1]
     moves = placed(hull, (*q[:2], theta)) - placed(hull, q)
     # f is least at the centre of the circle round -moves.
-    circle = shapely.minimum_bounding_circle(shapely.MultiPoint(-moves))
+    circle = shapely.minimum_bounding_circle(shapely.multipoints(-moves))
     shifts = [shapely.get_coordinates(circle.centroid) if np.ptp(moves) > 1e-9 else -moves[:1]]
     if shapely.contains_properly(obstacle, shapely.Point(shifts[0][0])):
         shifts = [
