@@ -4,6 +4,10 @@ Convex pieces, translational depth, lower bounds of the generalized depth, motio
 C-obstacle query. Knows nothing of planning.
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 from pdg import sets
 from pdg.bodies.piece_set import ConvexPieces
 from pdg.bodies.pieces import convex_pieces
@@ -67,3 +71,16 @@ __all__ = [
     "sets",
     "translational_depth",
 ]
+
+if TYPE_CHECKING:
+    __version__: str
+else:
+
+    def __getattr__(name: str) -> str:
+        """Return the version of the distribution, which is looked up on first use."""
+        if name != "__version__":
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        from importlib.metadata import version
+
+        globals()[name] = version("planar-planner")
+        return globals()[name]
