@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pdg import _core
-from pdg._constants import (
+from pdg.errors import PdgError
+from pdg.tolerances import (
     MAX_SET_COORDINATE,
     MIN_SET_COORDINATE,
     MOST_COUNTED,
     MOST_DIMENSIONS,
 )
-from pdg.errors import PdgError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

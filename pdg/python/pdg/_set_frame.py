@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pdg import _core
-from pdg._constants import FLATNESS_UNITS, MOST_ROUNDS, ROUND_ENOUGH, ROUND_ENOUGH_ALONG_AXES
+from pdg.tolerances import FLATNESS_UNITS, MOST_ROUNDS, ROUND_ENOUGH, ROUND_ENOUGH_ALONG_AXES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from pdg import _core, _gate
-from pdg._constants import MAX_SET_COORDINATE
 from pdg._set_frame import Frame, frame_of
 from pdg.errors import PdgError
 from pdg.sets import SupportSet, as_convex_set
+from pdg.tolerances import MAX_SET_COORDINATE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 import numpy as np
 
 from pdg import _core, _gate
-from pdg._constants import (
+from pdg.errors import PdgError
+from pdg.tolerances import (
     ACCURACY_SHARES,
     MIN_SET_COORDINATE,
     MOST_DIMENSIONS,
     SUPPORT_ACCURACY,
 )
-from pdg.errors import PdgError
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

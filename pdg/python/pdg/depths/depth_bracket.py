@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 import numpy as np
 
 from pdg import _core, _gate
-from pdg._constants import MOST_COUNTED
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.upper_bounds import ConvexSeparators
 from pdg.errors import PdgError
+from pdg.tolerances import MOST_COUNTED
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
 
-from pdg._constants import MAX_GRASP_MAGNITUDE, MIN_GRASP_MAGNITUDE
 from pdg.errors import PdgError
+from pdg.tolerances import MAX_GRASP_MAGNITUDE, MIN_GRASP_MAGNITUDE
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

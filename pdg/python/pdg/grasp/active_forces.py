@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from pdg._constants import RANK_TOLERANCE
+from pdg.tolerances import RANK_TOLERANCE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from pdg._constants import LEAST_TANGENT_SINE
 from pdg.errors import PdgError
 from pdg.grasp import _gate
+from pdg.tolerances import LEAST_TANGENT_SINE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -16,12 +16,10 @@ from pdg.errors import PdgError
 from pdg.grasp import _gate
 from pdg.grasp.wrenches import WrenchSet
 from pdg.sets import AffineImage, Ball, ConvexSet, as_convex_set
+from pdg.tolerances import CLOSURE_TOLERANCE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-# A bracket this narrow, relative to its upper end, has a positive lower end.
-_CLOSURE_GAP = 0.9
 
 ClosureState = Literal["closed", "open", "undecided"]
 
@@ -101,7 +99,7 @@ def force_closure(wrenches: WrenchSet, time_limit: float = math.inf) -> ForceClo
     primitive = WrenchSet(wrenches.centres, wrenches.axes, "l1", False, wrenches.basis)
     ball = Ball(primitive.dimension)
     found = penetration_distance(
-        primitive, ball, 0.0, relative_eps=_CLOSURE_GAP, time_limit=time_limit
+        primitive, ball, 0.0, relative_eps=CLOSURE_TOLERANCE, time_limit=time_limit
     )
     resistance, _ = primitive.support(found.direction)
     u = wrenches.basis @ found.direction

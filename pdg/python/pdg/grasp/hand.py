@@ -235,7 +235,7 @@ def active_wrench_set(
     WrenchSet or None
         Its `basis` spans the minimal subspace; where coordinate axes of wrench space span that, it
         is these. None if no finger has an active force. Ranks are decided in plain doubles, see
-        `pdg._constants.RANK_TOLERANCE`.
+        `pdg.tolerances.RANK_TOLERANCE`.
 
     Raises
     ------
