@@ -110,7 +110,7 @@ def samples(prepared: Prepared, count: int) -> Iterator[Sample]:
     second = pdg.generalized_depth_upper_bound(A, B, poses, method="hulls")
     brackets = pdg.bracket(A, B, poses, TOLERANCE)
     for k, (x, y, theta) in enumerate(poses.tolist()):
-        free_x, free_y, free_theta = first.displaced_pose[k].tolist()
+        free_x, free_y, free_theta = first.displaced.pose[k].tolist()
         yield Sample(
             prepared.model.name,
             k / (count - 1),
@@ -123,7 +123,7 @@ def samples(prepared: Prepared, count: int) -> Iterator[Sample]:
             float(best.displacement[k]),
             float(first.displacement[k]),
             float(second.displacement[k]),
-            str(first.source[k, 0]),
+            str(first.displaced.source[k]),
             free_x,
             free_y,
             free_theta,

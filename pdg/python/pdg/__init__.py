@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from pdg import sets
 from pdg.bodies.piece_set import ConvexPieces
 from pdg.bodies.pieces import convex_pieces
+from pdg.depths.batch import Batch
 from pdg.depths.depth import generalized_depth_lower_bound, translational_depth
 from pdg.depths.depth_bracket import DepthBracket, DepthBrackets, bracket
 from pdg.depths.motion import (
@@ -33,6 +34,7 @@ from pdg.depths.upper_bounds import (
     DepthUpperBound,
     DepthUpperBounds,
     FreePlacement,
+    FreePlacements,
     convex_separators,
     generalized_depth_upper_bound,
 )
@@ -40,6 +42,7 @@ from pdg.distance import PenetrationDistance, penetration_distance
 from pdg.errors import PdgError
 
 __all__ = [
+    "Batch",
     "CObstacleVerdict",
     "CObstacleVerdicts",
     "ConvexPieces",
@@ -53,6 +56,7 @@ __all__ = [
     "DistanceBracket",
     "DistanceBrackets",
     "FreePlacement",
+    "FreePlacements",
     "MotionBounds",
     "PdgError",
     "PenetrationDistance",

@@ -294,7 +294,8 @@ def test_drawing_back_is_of_use_where_hulls_say_little() -> None:
     A, B = pdg.convex_pieces(model.moving), pdg.convex_separators(model.fixed)
     first = pdg.generalized_depth_upper_bound(A, B, poses)
     best = pdg.generalized_depth_upper_bound(A, B, poses, method="best")
-    assert best.drawn_back.all()
+    assert best.displaced.drawn_back.all()
+    assert best.distanced.drawn_back.all()
     assert (best.displacement < 0.95 * first.displacement).all()
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from pdg import _core, _gate
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.results import (
+    NO_PAIR,
     DepthLowerBound,
     DepthLowerBounds,
     TranslationalDepth,
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
 
 _OUT_OF_RANGE = "places the body outside the range of exact arithmetic"
 _HERE = (0.0, 0.0, 0.0)
-_NO_PAIR = DepthLowerBound(0.0, None, None)
 
 
 @overload
@@ -123,7 +123,7 @@ def generalized_depth_lower_bound(
         except ValueError as error:
             raise PdgError(_OUT_OF_RANGE, "pose", value=q) from error
         depth, i, j, pair = found
-        return DepthLowerBound(depth, (i, j), one_depth(pair)) if i >= 0 else _NO_PAIR
+        return DepthLowerBound(depth, (i, j), one_depth(pair)) if i >= 0 else NO_PAIR
     bad, pairs, states, rows = _core.generalized_depth_lower_bounds(pieces_a.core, pieces_b.core, q)
     _check_placed(bad, q)
     witness = many_depths((states, rows))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from pdg import _core, _gate
 from pdg.bodies.pieces import convex_pieces
+from pdg.depths.batch import Batch
 from pdg.depths.upper_bounds import ConvexSeparators
 from pdg.errors import PdgError
 from pdg.tolerances import MOST_COUNTED
@@ -57,7 +58,7 @@ class DepthBracket:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class DepthBrackets:
+class DepthBrackets(Batch[DepthBracket]):
     """Brackets of PD^g for n poses, one array a field; ``self[i]`` is the `DepthBracket` of row i.
 
     Attributes
@@ -77,23 +78,8 @@ class DepthBrackets:
     slices: NDArray[np.uint64]
     stopped: NDArray[np.str_]
 
-    def __len__(self) -> int:
-        return len(self.lo)
-
-    def __getitem__(self, row: int) -> DepthBracket:
-        return DepthBracket(
-            float(self.lo[row]),
-            float(self.hi[row]),
-            _pose(self.pose[row]),
-            float(self.distance_hi[row]),
-            _pose(self.distance_pose[row]),
-            int(self.nodes[row]),
-            int(self.slices[row]),
-            _REASONS[_REASONS.index(self.stopped[row])],
-        )
-
-    def __iter__(self) -> Iterator[DepthBracket]:
-        return (self[row] for row in range(len(self)))
+    def _row(self, row: int) -> DepthBracket:
+        return DepthBracket(*self._values(row))
 
 
 @overload
@@ -176,9 +162,7 @@ def bracket(
     if bad >= 0:
         problem = "places the body outside the range of exact arithmetic"
         raise PdgError(problem, "pose", None if isinstance(q, tuple) else bad, rows[bad].tolist())
-    if isinstance(q, tuple):
-        return _bracket(numbers[0].tolist(), counts[0].tolist(), _REASONS[ends[0]])
-    return DepthBrackets(
+    brackets = DepthBrackets(
         numbers[:, 0],
         numbers[:, 1],
         numbers[:, 2:5],
@@ -188,15 +172,4 @@ def bracket(
         counts[:, 1],
         np.array(_REASONS)[ends],
     )
-
-
-def _bracket(row: Sequence[float], counts: Sequence[int], stopped: StopReason) -> DepthBracket:
-    """Return one row of the core's answer."""
-    lo, hi, x, y, theta, distance_hi, u, v, phi = row
-    nodes, slices = counts
-    return DepthBracket(lo, hi, (x, y, theta), distance_hi, (u, v, phi), nodes, slices, stopped)
-
-
-def _pose(row: NDArray[np.float64]) -> Pose:
-    x, y, theta = (float(v) for v in row)
-    return x, y, theta
+    return brackets[0] if isinstance(q, tuple) else brackets

@@ -10,6 +10,7 @@ import numpy as np
 
 from pdg import _core, _gate
 from pdg.bodies.pieces import convex_pieces
+from pdg.depths.batch import Batch
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -56,7 +57,7 @@ class DistanceBracket:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class DistanceBrackets:
+class DistanceBrackets(Batch[DistanceBracket]):
     """Bounds of D_g for n pairs of configurations; ``self[i]`` is the `DistanceBracket` of row i.
 
     Attributes
@@ -69,15 +70,8 @@ class DistanceBrackets:
     upper: NDArray[np.float64]
     centre: NDArray[np.float64]
 
-    def __len__(self) -> int:
-        return len(self.lower)
-
-    def __getitem__(self, row: int) -> DistanceBracket:
-        x, y = (float(v) for v in self.centre[row])
-        return DistanceBracket(float(self.lower[row]), float(self.upper[row]), (x, y))
-
-    def __iter__(self) -> Iterator[DistanceBracket]:
-        return (self[row] for row in range(len(self)))
+    def _row(self, row: int) -> DistanceBracket:
+        return DistanceBracket(*self._values(row))
 
 
 def motion_bounds(half_extents: Any, radius: float) -> MotionBounds:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -10,6 +10,7 @@ import numpy as np
 
 from pdg import _core, _gate
 from pdg.bodies.pieces import convex_pieces
+from pdg.depths.batch import Batch
 from pdg.errors import PdgError
 
 if TYPE_CHECKING:
@@ -47,30 +48,30 @@ class CObstacleVerdict:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class CObstacleVerdicts:
+class CObstacleVerdicts(Batch[CObstacleVerdict]):
     """Answers for n cells, one array a field; ``self[i]`` is the `CObstacleVerdict` of row i.
 
     Attributes
     ----------
-    full : ndarray of bool, shape (n,)
+    verdict : ndarray of str, shape (n,)
     pair : ndarray of int, shape (n, 2)
         (-1, -1) where no pair's boxes meet at the centre.
     margin : ndarray, shape (n,)
     """
 
-    full: NDArray[np.bool_]
+    verdict: NDArray[np.str_]
     pair: NDArray[np.int32]
     margin: NDArray[np.float64]
 
-    def __len__(self) -> int:
-        return len(self.full)
+    @property
+    def full(self) -> NDArray[np.bool_]:
+        """Whether each cell is proven to lie in C-obstacle space."""
+        full: NDArray[np.bool_] = self.verdict == "full"
+        return full
 
-    def __getitem__(self, row: int) -> CObstacleVerdict:
-        i, j = (int(k) for k in self.pair[row])
-        return _verdict(bool(self.full[row]), i, j, float(self.margin[row]))
-
-    def __iter__(self) -> Iterator[CObstacleVerdict]:
-        return (self[row] for row in range(len(self)))
+    def _row(self, row: int) -> CObstacleVerdict:
+        verdict, pair, margin = self._values(row)
+        return CObstacleVerdict(verdict, pair if pair[0] >= 0 else None, margin)
 
 
 @overload
@@ -122,7 +123,7 @@ def c_obstacle_query(
     full, pairs, margins = _core.c_obstacle_queries(
         pieces_a.core, pieces_b.core, judged, _METHODS[method]
     )
-    return CObstacleVerdicts(full.astype(np.bool_), pairs, margins)
+    return CObstacleVerdicts(np.where(full, "full", "undecided"), pairs, margins)
 
 
 def _verdict(full: bool, i: int, j: int, margin: float) -> CObstacleVerdict:

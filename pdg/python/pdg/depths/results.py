@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
+
+from pdg.depths.batch import Batch
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -59,7 +60,7 @@ class DepthLowerBound:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class TranslationalDepths:
+class TranslationalDepths(Batch[TranslationalDepth]):
     """PD^t for n poses, one array a field; ``self[i]`` is the `TranslationalDepth` of row i.
 
     Attributes
@@ -75,25 +76,12 @@ class TranslationalDepths:
     on_a: NDArray[np.float64]
     on_b: NDArray[np.float64]
 
-    def __len__(self) -> int:
-        return len(self.depth)
-
-    def __getitem__(self, row: int) -> TranslationalDepth:
-        state: PairState = _STATES[_STATES.index(self.state[row])]
-        return TranslationalDepth(
-            state,
-            float(self.depth[row]),
-            point(self.direction[row]),
-            point(self.on_a[row]),
-            point(self.on_b[row]),
-        )
-
-    def __iter__(self) -> Iterator[TranslationalDepth]:
-        return (self[row] for row in range(len(self)))
+    def _row(self, row: int) -> TranslationalDepth:
+        return TranslationalDepth(*self._values(row))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class DepthLowerBounds:
+class DepthLowerBounds(Batch[DepthLowerBound]):
     """Lower bounds of PD^g for n poses; ``self[i]`` is the `DepthLowerBound` of row i.
 
     Attributes
@@ -110,17 +98,12 @@ class DepthLowerBounds:
     pair: NDArray[np.int32]
     witness: TranslationalDepths
 
-    def __len__(self) -> int:
-        return len(self.depth)
+    def _row(self, row: int) -> DepthLowerBound:
+        depth, pair, witness = self._values(row)
+        return DepthLowerBound(depth, pair, witness) if pair[0] >= 0 else NO_PAIR
 
-    def __getitem__(self, row: int) -> DepthLowerBound:
-        i, j = (int(k) for k in self.pair[row])
-        if i < 0:
-            return DepthLowerBound(0.0, None, None)
-        return DepthLowerBound(float(self.depth[row]), (i, j), self.witness[row])
 
-    def __iter__(self) -> Iterator[DepthLowerBound]:
-        return (self[row] for row in range(len(self)))
+NO_PAIR = DepthLowerBound(0.0, None, None)
 
 
 def one_depth(result: tuple[int, float, Point, Point, Point]) -> TranslationalDepth:
@@ -134,8 +117,3 @@ def many_depths(columns: tuple[NDArray[np.uint8], NDArray[np.float64]]) -> Trans
     states, rows = columns
     names = np.array(_STATES)[states]
     return TranslationalDepths(names, rows[:, 0], rows[:, 1:3], rows[:, 3:5], rows[:, 5:7])
-
-
-def point(pair: NDArray[np.float64]) -> Point:
-    """Return two numbers as a tuple."""
-    return float(pair[0]), float(pair[1])

@@ -15,6 +15,7 @@ import numpy as np
 from pdg import _core, _gate
 from pdg.bodies.piece_set import ConvexPieces
 from pdg.bodies.pieces import convex_pieces
+from pdg.depths.batch import Batch
 from pdg.errors import PdgError
 
 if TYPE_CHECKING:
@@ -69,6 +70,29 @@ class FreePlacement:
     drawn_back: bool
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class FreePlacements(Batch[FreePlacement]):
+    """Free configurations, one array a field; ``self[i]`` is the `FreePlacement` of row i.
+
+    Attributes
+    ----------
+    pose : ndarray, shape (n, 3)
+    source : ndarray of str, shape (n,)
+    separator : ndarray of int, shape (n,)
+        -1 where the source is not a separator.
+    drawn_back : ndarray of bool, shape (n,)
+    """
+
+    pose: NDArray[np.float64]
+    source: NDArray[np.str_]
+    separator: NDArray[np.int32]
+    drawn_back: NDArray[np.bool_]
+
+    def _row(self, row: int) -> FreePlacement:
+        pose, source, separator, drawn_back = self._values(row)
+        return FreePlacement(pose, source, separator if separator >= 0 else None, drawn_back)
+
+
 @dataclass(frozen=True, slots=True)
 class DepthUpperBound:
     """Upper bounds of PD^g under both metrics.
@@ -94,51 +118,25 @@ class DepthUpperBound:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class DepthUpperBounds:
+class DepthUpperBounds(Batch[DepthUpperBound]):
     """Upper bounds of PD^g for n poses; ``self[i]`` is the `DepthUpperBound` of row i.
 
     Attributes
     ----------
     displacement, distance : ndarray, shape (n,)
-    displaced_pose, distanced_pose : ndarray, shape (n, 3)
-    source : ndarray of str, shape (n, 2)
-        Of the two placements, in this order.
-    separator : ndarray of int, shape (n, 2)
-        -1 where the source is not a separator.
-    drawn_back : ndarray of bool, shape (n, 2)
+    displaced, distanced : FreePlacements
+        Of n rows each.
     placements : ndarray of int, shape (n,)
     """
 
     displacement: NDArray[np.float64]
-    displaced_pose: NDArray[np.float64]
+    displaced: FreePlacements
     distance: NDArray[np.float64]
-    distanced_pose: NDArray[np.float64]
-    source: NDArray[np.str_]
-    separator: NDArray[np.int32]
-    drawn_back: NDArray[np.bool_]
+    distanced: FreePlacements
     placements: NDArray[np.int32]
 
-    def __len__(self) -> int:
-        return len(self.displacement)
-
-    def __getitem__(self, row: int) -> DepthUpperBound:
-        return DepthUpperBound(
-            float(self.displacement[row]),
-            self._placement(self.displaced_pose, row, 0),
-            float(self.distance[row]),
-            self._placement(self.distanced_pose, row, 1),
-            int(self.placements[row]),
-        )
-
-    def __iter__(self) -> Iterator[DepthUpperBound]:
-        return (self[row] for row in range(len(self)))
-
-    def _placement(self, poses: NDArray[np.float64], row: int, metric: int) -> FreePlacement:
-        x, y, theta = (float(v) for v in poses[row])
-        source: Source = _SOURCES[_SOURCES.index(self.source[row, metric])]
-        index = int(self.separator[row, metric])
-        drawn_back = bool(self.drawn_back[row, metric])
-        return FreePlacement((x, y, theta), source, index if index >= 0 else None, drawn_back)
+    def _row(self, row: int) -> DepthUpperBound:
+        return DepthUpperBound(*self._values(row))
 
 
 def convex_separators(B: Any) -> ConvexSeparators:
@@ -238,12 +236,14 @@ def generalized_depth_upper_bound(
         raise PdgError(problem, "pose", None if isinstance(q, tuple) else bad, rows[bad].tolist())
     bounds = DepthUpperBounds(
         numbers[:, 0],
-        numbers[:, 1:4],
+        _placements(numbers[:, 1:4], codes[:, 0:3]),
         numbers[:, 4],
-        numbers[:, 5:8],
-        np.array(_SOURCES)[codes[:, [0, 3]]],
-        codes[:, [1, 4]],
-        codes[:, [2, 5]] != 0,
+        _placements(numbers[:, 5:8], codes[:, 3:6]),
         codes[:, 6],
     )
     return bounds[0] if isinstance(q, tuple) else bounds
+
+
+def _placements(poses: NDArray[np.float64], codes: NDArray[np.int32]) -> FreePlacements:
+    """Return placements from the core's rows of source, separator and whether it is drawn back."""
+    return FreePlacements(poses, np.array(_SOURCES)[codes[:, 0]], codes[:, 1], codes[:, 2] != 0)
