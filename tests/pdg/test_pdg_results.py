@@ -18,9 +18,9 @@ BATCHES: list[pdg.Batch[Any]] = [
     pdg.translational_depth(ELL, SQUARE, POSES),
     pdg.generalized_depth_lower_bound(ELL, SQUARE, POSES),
     pdg.generalized_depth_upper_bound(ELL, SQUARE, POSES),
-    pdg.generalized_depth_upper_bound(ELL, SQUARE, POSES).displaced,
-    pdg.bracket(ELL, SQUARE, POSES),
-    pdg.generalized_distance_bounds(ELL, (0, 0, 0), POSES),
+    pdg.generalized_depth_upper_bound(ELL, SQUARE, POSES).placement,
+    pdg.generalized_depth_bracket(ELL, SQUARE, POSES),
+    pdg.generalized_distance_bracket(ELL, (0, 0, 0), POSES),
     pdg.c_obstacle_query(ELL, SQUARE, CELLS),
 ]
 

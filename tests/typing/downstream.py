@@ -118,9 +118,9 @@ def imported(file: Path) -> Scene:
 
 def depth(body: pdg.ConvexPieces) -> float:
     """Return the width of a bracket."""
-    found = pdg.bracket(body, [(0, 0), (1, 0), (0, 1)], pose=(0.1, 0.2, 0.3))
-    assert_type(found.lo, float)
-    return found.hi - found.lo
+    found = pdg.generalized_depth_bracket(body, [(0, 0), (1, 0), (0, 1)], pose=(0.1, 0.2, 0.3))
+    assert_type(found.lower, float)
+    return found.upper - found.lower
 
 
 solve(3)  # type: ignore[arg-type]

@@ -13,13 +13,13 @@ from pdg.bodies.piece_set import ConvexPieces
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.batch import Batch
 from pdg.depths.depth import generalized_depth_lower_bound, translational_depth
-from pdg.depths.depth_bracket import DepthBracket, DepthBrackets, bracket
+from pdg.depths.depth_bracket import DepthBracket, DepthBrackets, generalized_depth_bracket
 from pdg.depths.motion import (
     DistanceBracket,
     DistanceBrackets,
     MotionBounds,
     displacement,
-    generalized_distance_bounds,
+    generalized_distance_bracket,
     motion_bounds,
 )
 from pdg.depths.query import CObstacleVerdict, CObstacleVerdicts, c_obstacle_query
@@ -40,6 +40,7 @@ from pdg.depths.upper_bounds import (
 )
 from pdg.distance import PenetrationDistance, penetration_distance
 from pdg.errors import PdgError
+from pdg.stop_reason import StopReason
 
 __all__ = [
     "Batch",
@@ -60,16 +61,17 @@ __all__ = [
     "MotionBounds",
     "PdgError",
     "PenetrationDistance",
+    "StopReason",
     "TranslationalDepth",
     "TranslationalDepths",
-    "bracket",
     "c_obstacle_query",
     "convex_pieces",
     "convex_separators",
     "displacement",
+    "generalized_depth_bracket",
     "generalized_depth_lower_bound",
     "generalized_depth_upper_bound",
-    "generalized_distance_bounds",
+    "generalized_distance_bracket",
     "motion_bounds",
     "penetration_distance",
     "sets",

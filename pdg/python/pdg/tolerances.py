@@ -1,8 +1,8 @@
 """Every numeric constant of the Python side, with unit and derivation.
 
 Those of the core stand in ``pdg/native/tolerances.hpp``, and docs/rounding.md derives them.
-u = 2**-53 is the unit roundoff. All but one are powers of two or small integers, so that scaling by
-them rounds nothing.
+u = 2**-53 is the unit roundoff. Constants that scale anything are powers of two or small integers,
+so that scaling rounds nothing.
 """
 
 from __future__ import annotations
@@ -59,3 +59,9 @@ ROUND_ENOUGH_ALONG_AXES = ROUND_ENOUGH / 4
 FLATNESS_UNITS = 8.0
 # Each round makes a set rounder, or finds that it is flat; two or three rounds do.
 MOST_ROUNDS = 8
+
+# The defaults of a search for d_Q(A): its absolute tolerance, which is that of [GFE] Table I, and
+# limits that searches in up to six dimensions do not reach; the facets take some 1 GB.
+ABSOLUTE_TOLERANCE = 1e-4
+MAX_ITERATIONS = 100_000
+MAX_FACETS = 5_000_000

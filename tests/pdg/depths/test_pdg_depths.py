@@ -120,15 +120,15 @@ def test_lower_bound_is_the_maximum_over_pairs() -> None:
         pose = random_pose(random, 6)
         depths = [[minkowski_depth(a, b, pose) for b in B] for a in A]
         bound = pdg.generalized_depth_lower_bound(A, B, pose)
-        assert bound.depth == pytest.approx(max(0.0, np.max(depths)), abs=1e-12)
+        assert bound.lower == pytest.approx(max(0.0, np.max(depths)), abs=1e-12)
         if bound.pair is None:
-            assert bound.depth == 0
+            assert bound.lower == 0
             assert bound.witness is None
             continue
         overlapping += 1
-        assert depths[bound.pair[0]][bound.pair[1]] == pytest.approx(bound.depth, abs=1e-12)
+        assert depths[bound.pair[0]][bound.pair[1]] == pytest.approx(bound.lower, abs=1e-12)
         assert bound.witness is not None
-        assert bound.witness.depth == bound.depth
+        assert bound.witness.depth == bound.lower
     assert overlapping > 20
 
 
@@ -140,7 +140,7 @@ def test_lower_bound_is_below_every_escape() -> None:
         body, obstacle = blob(random, 2), blob(random, 3)
         A, B = pdg.convex_pieces(body), pdg.convex_pieces(obstacle)
         q0 = random_pose(random, 2)
-        bound = pdg.generalized_depth_lower_bound(A, B, q0).depth
+        bound = pdg.generalized_depth_lower_bound(A, B, q0).lower
         for _ in range(40):
             q1 = tuple(np.array(q0) + random.normal(0, (2, 2, 1)))
             if pdg.generalized_depth_lower_bound(A, B, q1).pair is None:

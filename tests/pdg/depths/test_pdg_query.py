@@ -64,7 +64,7 @@ def test_published_form_is_the_published_formula() -> None:
         A, B = pdg.convex_pieces(blob(random, 2)), pdg.convex_pieces(blob(random, 3))
         cell = random_cell(random)
         radius = max(np.hypot(*p.T).max() for p in A)
-        depth = pdg.generalized_depth_lower_bound(A, B, cell[:3]).depth
+        depth = pdg.generalized_depth_lower_bound(A, B, cell[:3]).lower
         margin = depth - (cell[3] + cell[4] + radius * cell[5])
         got = pdg.c_obstacle_query(A, B, cell, "published")
         if depth > 0:

@@ -134,12 +134,12 @@ def displacement(body: Any, q0: Any, q1: Any) -> float | NDArray[np.float64]:
 
 
 @overload
-def generalized_distance_bounds(
+def generalized_distance_bracket(
     body: Any, q0: Sequence[float], q1: Sequence[float]
 ) -> DistanceBracket: ...
 @overload
-def generalized_distance_bounds(body: Any, q0: Any, q1: Any) -> Any: ...
-def generalized_distance_bounds(body: Any, q0: Any, q1: Any) -> DistanceBracket | DistanceBrackets:
+def generalized_distance_bracket(body: Any, q0: Any, q1: Any) -> Any: ...
+def generalized_distance_bracket(body: Any, q0: Any, q1: Any) -> DistanceBracket | DistanceBrackets:
     """Return a lower and an upper bound of the generalized distance D_g(q0, q1).
 
     D_g is the least, over all motions from q0 to q1, of the longest path of a body point ([PDG]

@@ -46,15 +46,15 @@ class DepthLowerBound:
 
     Attributes
     ----------
-    depth : float
-        The bound (length); 0 when no pair of pieces overlaps.
+    lower : float
+        The bound (length), of PD^g under DISP and under D_g; 0 when no pair of pieces overlaps.
     pair : tuple of int or None
         Indices of the deepest pair in the bodies' convex pieces.
     witness : TranslationalDepth or None
         That pair's PD^t.
     """
 
-    depth: float
+    lower: float
     pair: tuple[int, int] | None
     witness: TranslationalDepth | None
 
@@ -86,7 +86,7 @@ class DepthLowerBounds(Batch[DepthLowerBound]):
 
     Attributes
     ----------
-    depth : ndarray, shape (n,)
+    lower : ndarray, shape (n,)
         0 where no pair of pieces overlaps.
     pair : ndarray of int, shape (n, 2)
         (-1, -1) where no pair of pieces overlaps.
@@ -94,13 +94,13 @@ class DepthLowerBounds(Batch[DepthLowerBound]):
         The deepest pair's; its rows mean nothing where there is no pair.
     """
 
-    depth: NDArray[np.float64]
+    lower: NDArray[np.float64]
     pair: NDArray[np.int32]
     witness: TranslationalDepths
 
     def _row(self, row: int) -> DepthLowerBound:
-        depth, pair, witness = self._values(row)
-        return DepthLowerBound(depth, pair, witness) if pair[0] >= 0 else NO_PAIR
+        lower, pair, witness = self._values(row)
+        return DepthLowerBound(lower, pair, witness) if pair[0] >= 0 else NO_PAIR
 
 
 NO_PAIR = DepthLowerBound(0.0, None, None)

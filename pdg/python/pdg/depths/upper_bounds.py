@@ -56,12 +56,12 @@ class FreePlacement:
         (x, y, theta). No convex piece of A overlaps one of B: exact for the vertices as placed in
         doubles.
     source : {"free", "hulls", "separator"}
-        The configuration asked about is free itself; the convex hulls were taken apart; A's hull
+        The pose given is free itself; the convex hulls were taken apart; A's hull
         was placed inside a convex container.
     separator : int or None
         That container's index in the `ConvexSeparators`.
     drawn_back : bool
-        It lies on the way from the pose asked about to such a placement.
+        It lies on the way from the pose given to such a placement.
     """
 
     pose: Pose
@@ -99,22 +99,24 @@ class DepthUpperBound:
 
     Attributes
     ----------
-    displacement : float
-        PD^g under DISP is at most that: DISP from the pose asked about to ``displaced.pose``.
-    displaced : FreePlacement
-    distance : float
-        PD^g under D_g is at most that: the upper end of `generalized_distance_bounds` to
-        ``distanced.pose``. Never below `displacement`, and the same for a translation.
-    distanced : FreePlacement
-    placements : int
+    upper : float
+        Upper bound of PD^g under DISP (length): DISP from the pose given to ``placement.pose``.
+    placement : FreePlacement
+        Where `upper` is attained.
+    distance_upper : float
+        Upper bound of PD^g under D_g (length): the upper end of `generalized_distance_bracket` to
+        ``distance_placement.pose``. It is never below `upper`, and equal to it for a translation.
+    distance_placement : FreePlacement
+        Where `distance_upper` is attained.
+    angles : int
         Angles at which A's hull was placed in a container; 0 when every separator was culled.
     """
 
-    displacement: float
-    displaced: FreePlacement
-    distance: float
-    distanced: FreePlacement
-    placements: int
+    upper: float
+    placement: FreePlacement
+    distance_upper: float
+    distance_placement: FreePlacement
+    angles: int
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -123,17 +125,17 @@ class DepthUpperBounds(Batch[DepthUpperBound]):
 
     Attributes
     ----------
-    displacement, distance : ndarray, shape (n,)
-    displaced, distanced : FreePlacements
+    upper, distance_upper : ndarray, shape (n,)
+    placement, distance_placement : FreePlacements
         Of n rows each.
-    placements : ndarray of int, shape (n,)
+    angles : ndarray of int, shape (n,)
     """
 
-    displacement: NDArray[np.float64]
-    displaced: FreePlacements
-    distance: NDArray[np.float64]
-    distanced: FreePlacements
-    placements: NDArray[np.int32]
+    upper: NDArray[np.float64]
+    placement: FreePlacements
+    distance_upper: NDArray[np.float64]
+    distance_placement: FreePlacements
+    angles: NDArray[np.int32]
 
     def _row(self, row: int) -> DepthUpperBound:
         return DepthUpperBound(*self._values(row))
