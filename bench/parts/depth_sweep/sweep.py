@@ -103,13 +103,13 @@ class Prepared:
 def samples(prepared: Prepared, count: int) -> Iterator[Sample]:
     """Yield the bounds at evenly spaced configurations of the motion."""
     A, B = prepared.moving, prepared.fixed
-    poses = prepared.model.configurations(count)
+    poses: pdg.Rows = prepared.model.configurations(count).tolist()
     lower = pdg.generalized_depth_lower_bound(A, B.pieces, poses)
     first = pdg.generalized_depth_upper_bound(A, B, poses)
     best = pdg.generalized_depth_upper_bound(A, B, poses, method="best")
     second = pdg.generalized_depth_upper_bound(A, B, poses, method="hulls")
     brackets = pdg.generalized_depth_bracket(A, B, poses, TOLERANCE)
-    for k, (x, y, theta) in enumerate(poses.tolist()):
+    for k, (x, y, theta) in enumerate(poses):
         free_x, free_y, free_theta = first.placement.pose[k].tolist()
         yield Sample(
             prepared.model.name,

@@ -9,11 +9,29 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from pdg import sets
-from pdg.bodies.piece_set import ConvexPieces
-from pdg.bodies.pieces import convex_pieces
-from pdg.depths.batch import Batch
-from pdg.depths.depth import generalized_depth_lower_bound, translational_depth
-from pdg.depths.depth_bracket import DepthBracket, DepthBrackets, generalized_depth_bracket
+from pdg.bodies.body import (
+    Body,
+    GeoInterface,
+    Shape,
+)
+from pdg.bodies.piece_set import (
+    ConvexPieces,
+)
+from pdg.bodies.pieces import (
+    convex_pieces,
+)
+from pdg.depths.batch import (
+    Batch,
+)
+from pdg.depths.depth import (
+    generalized_depth_lower_bound,
+    translational_depth,
+)
+from pdg.depths.depth_bracket import (
+    DepthBracket,
+    DepthBrackets,
+    generalized_depth_bracket,
+)
 from pdg.depths.motion import (
     DistanceBracket,
     DistanceBrackets,
@@ -22,10 +40,19 @@ from pdg.depths.motion import (
     generalized_distance_bracket,
     motion_bounds,
 )
-from pdg.depths.query import CObstacleVerdict, CObstacleVerdicts, c_obstacle_query
+from pdg.depths.query import (
+    CellVerdict,
+    CObstacleVerdict,
+    CObstacleVerdicts,
+    QueryMethod,
+    c_obstacle_query,
+)
 from pdg.depths.results import (
     DepthLowerBound,
     DepthLowerBounds,
+    PairState,
+    Point,
+    Pose,
     TranslationalDepth,
     TranslationalDepths,
 )
@@ -35,17 +62,33 @@ from pdg.depths.upper_bounds import (
     DepthUpperBounds,
     FreePlacement,
     FreePlacements,
+    PlacementSource,
+    UpperBoundMethod,
     convex_separators,
     generalized_depth_upper_bound,
 )
-from pdg.distance import PenetrationDistance, penetration_distance
-from pdg.errors import PdgError
-from pdg.stop_reason import StopReason
+from pdg.distance import (
+    OriginState,
+    PenetrationDistance,
+    penetration_distance,
+)
+from pdg.errors import (
+    PdgError,
+)
+from pdg.inputs import (
+    RealArray,
+    Rows,
+)
+from pdg.stop_reason import (
+    StopReason,
+)
 
 __all__ = [
     "Batch",
+    "Body",
     "CObstacleVerdict",
     "CObstacleVerdicts",
+    "CellVerdict",
     "ConvexPieces",
     "ConvexSeparators",
     "DepthBracket",
@@ -58,12 +101,23 @@ __all__ = [
     "DistanceBrackets",
     "FreePlacement",
     "FreePlacements",
+    "GeoInterface",
     "MotionBounds",
+    "OriginState",
+    "PairState",
     "PdgError",
     "PenetrationDistance",
+    "PlacementSource",
+    "Point",
+    "Pose",
+    "QueryMethod",
+    "RealArray",
+    "Rows",
+    "Shape",
     "StopReason",
     "TranslationalDepth",
     "TranslationalDepths",
+    "UpperBoundMethod",
     "c_obstacle_query",
     "convex_pieces",
     "convex_separators",

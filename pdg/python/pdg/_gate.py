@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core
 from pdg.errors import PdgError
@@ -16,10 +16,10 @@ from pdg.tolerances import (
     MOST_DIMENSIONS,
 )
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
 Triple = tuple[float, float, float]
+
+HERE: Triple = (0.0, 0.0, 0.0)
+"""The configuration of a body that stays as it is."""
 
 
 def ring(value: object, name: str) -> NDArray[np.float64]:

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core, _gate
 from pdg._set_frame import Frame, frame_of
@@ -24,10 +25,9 @@ from pdg.tolerances import (
     MAX_SET_COORDINATE,
 )
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
 OriginState = Literal["inside", "boundary", "outside", "flat"]
+"""Where the origin is with respect to a convex set; see `PenetrationDistance`."""
+
 _STATES: tuple[OriginState, ...] = ("inside", "boundary", "outside", "flat")
 # In the order of the core's StopReason.
 _ENDS = (
@@ -39,7 +39,7 @@ _ENDS = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class PenetrationDistance:
     """A bracket of d_Q(A).
 
@@ -130,8 +130,8 @@ def penetration_distance(
         For arguments that are no convex sets of one dimension, a Q without the origin, and limits
         that are not numbers >= 0.
     """
-    a = as_convex_set(A, "A").core
-    q = as_convex_set(Q, "Q").core
+    a = as_convex_set(A, "A")._native
+    q = as_convex_set(Q, "Q")._native
     _check_sets(a, q)
     tolerances = (
         _gate.length(absolute_tolerance, "absolute_tolerance"),

@@ -11,9 +11,10 @@ and Using Novel Generalized Penetration Distance Algorithm*, ICRA 2013.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
+from typing import Protocol, runtime_checkable
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from pdg import _core, _gate
 from pdg.errors import PdgError
@@ -24,8 +25,21 @@ from pdg.tolerances import (
     SUPPORT_ACCURACY,
 )
 
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+__all__ = [
+    "AffineImage",
+    "Ball",
+    "Box",
+    "ConvexSet",
+    "CrossPolytope",
+    "Ellipsoid",
+    "MinkowskiSum",
+    "PointSet",
+    "Scaled",
+    "Segment",
+    "SupportSet",
+    "UnionHull",
+    "as_convex_set",
+]
 
 
 @runtime_checkable
@@ -49,23 +63,19 @@ class SupportSet(Protocol):
 
 
 class ConvexSet:
-    """A compiled convex set; immutable. Made by the classes below.
+    """A compiled convex set; immutable. Made by its subclasses and by `as_convex_set`."""
 
-    Attributes
-    ----------
-    core : object
-        The core's set. Private to the library.
-    """
+    __slots__ = ("_native",)
 
-    __slots__ = ("core",)
+    _native: _core.ConvexSet
 
-    def __init__(self, core: _core.ConvexSet) -> None:
-        self.core = core
+    def __init__(self) -> None:
+        raise TypeError("a ConvexSet is made by its subclasses and by pdg.sets.as_convex_set")
 
     @property
     def dimension(self) -> int:
         """The number of coordinates, n."""
-        return self.core.dimension
+        return self._native.dimension
 
     def support(self, u: ArrayLike) -> tuple[float, NDArray[np.float64]]:
         """Return h(u) and s(u), of shape (n,), for a direction u of any length."""
@@ -83,7 +93,7 @@ class ConvexSet:
         u = _gate.coordinates(directions, "directions", 2, 0.0)
         if u.shape[1] != self.dimension:
             raise PdgError(f"expected {self.dimension} coordinates", "directions", value=u.shape)
-        return self.core.supports(u)
+        return self._native.supports(u)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}(dimension={self.dimension})"
@@ -112,10 +122,10 @@ class Ellipsoid(ConvexSet):
         numbers = _gate.numbers(axes, "axes")
         if numbers.ndim == 1:
             radii = _gate.coordinates(numbers, "axes", 1)
-            super().__init__(_core.axis_ellipsoid(radii, _centre(centre, len(radii))))
+            self._native = _core.axis_ellipsoid(radii, _centre(centre, len(radii)))
         else:
             matrix = _gate.coordinates(numbers, "axes", 2)
-            super().__init__(_core.ellipsoid(matrix, _centre(centre, len(matrix))))
+            self._native = _core.ellipsoid(matrix, _centre(centre, len(matrix)))
 
 
 class Ball(Ellipsoid):
@@ -153,7 +163,7 @@ class Box(ConvexSet):
     __slots__ = ()
 
     def __init__(self, half_extents: ArrayLike, centre: ArrayLike | None = None) -> None:
-        super().__init__(_core.box(*_centred(half_extents, "half_extents", centre)))
+        self._native = _core.box(*_centred(half_extents, "half_extents", centre))
 
 
 class CrossPolytope(ConvexSet):
@@ -170,7 +180,7 @@ class CrossPolytope(ConvexSet):
     __slots__ = ()
 
     def __init__(self, radii: ArrayLike, centre: ArrayLike | None = None) -> None:
-        super().__init__(_core.cross_polytope(*_centred(radii, "radii", centre)))
+        self._native = _core.cross_polytope(*_centred(radii, "radii", centre))
 
 
 class PointSet(ConvexSet):
@@ -185,7 +195,7 @@ class PointSet(ConvexSet):
     __slots__ = ()
 
     def __init__(self, points: ArrayLike) -> None:
-        super().__init__(_core.point_set(_gate.coordinates(points, "points", 2)))
+        self._native = _core.point_set(_gate.coordinates(points, "points", 2))
 
 
 class Segment(PointSet):
@@ -216,7 +226,7 @@ class MinkowskiSum(ConvexSet):
     __slots__ = ()
 
     def __init__(self, sets: Iterable[SupportSet]) -> None:
-        super().__init__(_core.minkowski_sum(_cores(sets)))
+        self._native = _core.minkowski_sum(_cores(sets))
 
 
 class UnionHull(ConvexSet):
@@ -231,7 +241,7 @@ class UnionHull(ConvexSet):
     __slots__ = ()
 
     def __init__(self, sets: Iterable[SupportSet]) -> None:
-        super().__init__(_core.union_hull(_cores(sets)))
+        self._native = _core.union_hull(_cores(sets))
 
 
 class AffineImage(ConvexSet):
@@ -253,11 +263,11 @@ class AffineImage(ConvexSet):
         self, matrix: ArrayLike, inner: SupportSet, offset: ArrayLike | None = None
     ) -> None:
         m = _gate.coordinates(matrix, "matrix", 2)
-        core = as_convex_set(inner, "inner").core
+        core = as_convex_set(inner, "inner")._native
         if m.shape[1] != core.dimension:
             problem = f"expected {core.dimension} columns, the set's dimension"
             raise PdgError(problem, "matrix", value=m.shape)
-        super().__init__(_core.affine_image(m, _centre(offset, len(m), "offset"), core))
+        self._native = _core.affine_image(m, _centre(offset, len(m), "offset"), core)
 
 
 class Scaled(ConvexSet):
@@ -275,18 +285,20 @@ class Scaled(ConvexSet):
 
     def __init__(self, factor: float, inner: SupportSet) -> None:
         (number,) = _gate.coordinates([factor], "factor", 1)
-        super().__init__(_core.scaled(float(number), as_convex_set(inner, "inner").core))
+        self._native = _core.scaled(float(number), as_convex_set(inner, "inner")._native)
 
 
-def as_convex_set(value: Any, name: str, accuracy: float = SUPPORT_ACCURACY) -> ConvexSet:
+def as_convex_set(
+    value: SupportSet, name: str = "value", accuracy: float = SUPPORT_ACCURACY
+) -> ConvexSet:
     """Return the compiled set that `value` is, or one that asks `value` through its protocol.
 
     Parameters
     ----------
     value : ConvexSet or SupportSet
         A set of this module, or any object with `dimension` and `support`.
-    name : str
-        The argument's name, for error messages.
+    name : str, optional
+        What errors call the argument.
     accuracy : float, optional
         What a `SupportSet` promises: points and values are right to this times the set's extent
         along each coordinate. Bounds built on the set rely on it.
@@ -311,7 +323,9 @@ def as_convex_set(value: Any, name: str, accuracy: float = SUPPORT_ACCURACY) -> 
     axes = np.eye(dimension)
     magnitude = [max(abs(asked(u)[0]), abs(asked(-u)[0])) for u in axes]
     asked.magnitude = np.array(magnitude)
-    return ConvexSet(_core.python_set(asked, magnitude, [accuracy * m for m in magnitude]))
+    found = object.__new__(ConvexSet)
+    found._native = _core.python_set(asked, magnitude, [accuracy * m for m in magnitude])
+    return found
 
 
 class _Asked:
@@ -342,7 +356,7 @@ def _cores(sets: Iterable[SupportSet]) -> list[_core.ConvexSet]:
         parts = list(sets)
     except TypeError as error:
         raise PdgError("expected sets", "sets", value=sets) from error
-    cores = [as_convex_set(inner, f"sets[{i}]").core for i, inner in enumerate(parts)]
+    cores = [as_convex_set(inner, f"sets[{i}]")._native for i, inner in enumerate(parts)]
     if not cores:
         raise PdgError("at least one set is needed", "sets")
     for i, core in enumerate(cores):

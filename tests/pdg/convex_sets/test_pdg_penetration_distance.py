@@ -15,8 +15,7 @@ from scipy.optimize import minimize
 from scipy.spatial import ConvexHull
 
 import pdg
-from pdg import sets
-from pdg.distance import PenetrationDistance
+from pdg import PenetrationDistance, sets
 
 Case = tuple[str, sets.ConvexSet, sets.ConvexSet, float]
 

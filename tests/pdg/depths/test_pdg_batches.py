@@ -54,7 +54,7 @@ def test_lower_bounds_are_the_single_ones() -> None:
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_verdicts_are_the_single_ones(method: pdg.query.QueryMethod) -> None:
+def test_verdicts_are_the_single_ones(method: pdg.QueryMethod) -> None:
     random = np.random.default_rng(22)
     full = 0
     for _ in range(10):
@@ -224,7 +224,7 @@ def counting_thread() -> Iterator[Callable[[], int]]:
 @pytest.mark.parametrize("what", ["depths", "bounds", "queries", "displacements", "brackets"])
 def test_another_thread_runs_during_a_batch(what: str) -> None:
     random = np.random.default_rng(24)
-    a, b = pdg.convex_pieces(convex(random)).core, pdg.convex_pieces(convex(random)).core
+    a, b = pdg.convex_pieces(convex(random))._native, pdg.convex_pieces(convex(random))._native
     rows, boxes = poses(random, 4000), cells(random, 4000)
     core = pdg._core
     batch: Callable[[], object] = {

@@ -3,39 +3,50 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+import numpy as np
+from numpy.typing import NDArray
 
-    from pdg import _core
+from pdg import _core
 
 
-@dataclass(frozen=True, slots=True)
 class ConvexPieces:
-    """The convex pieces of a body, ready for repeated queries.
+    """The convex pieces of a body, ready for repeated queries; immutable. Made by `convex_pieces`.
 
     Iterating gives each piece's vertices, an (n, 2) array, counter-clockwise and strictly convex.
     Every function that takes a body takes one of these too, and then decomposes nothing.
     """
 
-    core: _core.PieceSet = field(repr=False)
+    __slots__ = ("_native",)
+
+    _native: _core.PieceSet
+
+    def __init__(self) -> None:
+        raise TypeError("ConvexPieces are made by pdg.convex_pieces")
 
     def __len__(self) -> int:
-        return len(self.core)
+        return len(self._native)
 
     def __iter__(self) -> Iterator[NDArray[np.float64]]:
-        coords, starts = self.core.arrays()
+        coords, starts = self._native.arrays()
         return (coords[starts[i] : starts[i + 1]] for i in range(len(self)))
+
+    def __repr__(self) -> str:
+        return f"ConvexPieces(pieces={len(self)}, radius={self.radius:.6g})"
 
     @property
     def radius(self) -> float:
         """Largest distance of the body from its frame origin, rounded up (length)."""
-        return self.core.radius
+        return self._native.radius
 
     @property
     def radii(self) -> tuple[float, ...]:
-        """The same for each piece."""
-        return tuple(self.core.radii())
+        """Largest distance of each piece from the frame origin, rounded up (length)."""
+        return tuple(self._native.radii())
+
+
+def hold(native: _core.PieceSet) -> ConvexPieces:
+    """Return the pieces that the core holds."""
+    pieces = object.__new__(ConvexPieces)
+    pieces._native = native
+    return pieces

@@ -3,25 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core, _gate
 from pdg.bodies import shapes
-from pdg.bodies.piece_set import ConvexPieces
+from pdg.bodies.body import Body
+from pdg.bodies.piece_set import ConvexPieces, hold
 from pdg.errors import PdgError
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
-
-def convex_pieces(body: Any, *, cover: bool = True, name: str = "body") -> ConvexPieces:
+def convex_pieces(body: Body, *, cover: bool = True, name: str = "body") -> ConvexPieces:
     """Decompose polygons into convex pieces, exactly and without new vertices.
 
     Parameters
     ----------
-    body : array_like of shape (n, 2), anything shapely reads, ConvexPieces, or a list of these
+    body : Body
+        Coordinates of shape (n, 2), anything shapely reads, ConvexPieces, or a list of these.
         One ring as coordinates; a shapely Polygon, MultiPolygon, LinearRing or GeometryCollection
         of polygons; WKT; WKB (bytes or hexadecimal); GeoJSON as text, mapping or by
         ``__geo_interface__``. A list (or an array of shape (k, n, 2)) is the union of its items.
@@ -59,7 +58,7 @@ def convex_pieces(body: Any, *, cover: bool = True, name: str = "body") -> Conve
         raise PdgError(str(error), name) from error
     if len(core) == 0:
         raise PdgError("the polygon has no area", name)
-    return ConvexPieces(core)
+    return hold(core)
 
 
 def _check_holes(polygons: list[shapes.Rings], name: str) -> None:

@@ -8,16 +8,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeGuard
+from typing import Any, TypeGuard
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg._gate import ring
 from pdg.bodies.piece_set import ConvexPieces
 from pdg.errors import PdgError
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 Rings = list["NDArray[np.float64]"]
 _HEXADECIMAL = frozenset("0123456789abcdefABCDEF")

@@ -5,25 +5,24 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, overload
+from typing import overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core, _gate
+from pdg.bodies.body import Body
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.batch import Batch
+from pdg.depths.results import Pose
 from pdg.depths.upper_bounds import ConvexSeparators
 from pdg.errors import PdgError
+from pdg.inputs import RealArray, Rows
 from pdg.stop_reason import StopReason
 from pdg.tolerances import MOST_COUNTED
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-Pose = tuple[float, float, float]
 # In the order of the core's BracketEnd.
 _ENDS = (StopReason.CONVERGED, StopReason.TIMEOUT, StopReason.MAX_NODES, StopReason.ROUNDING)
-_HERE = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,8 +86,8 @@ class DepthBrackets(Batch[DepthBracket]):
 
 @overload
 def generalized_depth_bracket(
-    A: Any,
-    B: Any,
+    A: Body,
+    B: Body | ConvexSeparators,
     pose: Sequence[float] = ...,
     relative_tolerance: float = ...,
     *,
@@ -97,18 +96,28 @@ def generalized_depth_bracket(
 ) -> DepthBracket: ...
 @overload
 def generalized_depth_bracket(
-    A: Any,
-    B: Any,
-    pose: Any,
+    A: Body,
+    B: Body | ConvexSeparators,
+    pose: Rows,
     relative_tolerance: float = ...,
     *,
     timeout: float | None = ...,
     max_nodes: int | None = ...,
-) -> Any: ...
+) -> DepthBrackets: ...
+@overload
 def generalized_depth_bracket(
-    A: Any,
-    B: Any,
-    pose: Any = _HERE,
+    A: Body,
+    B: Body | ConvexSeparators,
+    pose: RealArray,
+    relative_tolerance: float = ...,
+    *,
+    timeout: float | None = ...,
+    max_nodes: int | None = ...,
+) -> DepthBracket | DepthBrackets: ...
+def generalized_depth_bracket(
+    A: Body,
+    B: Body | ConvexSeparators,
+    pose: Sequence[float] | Rows | RealArray = _gate.HERE,
     relative_tolerance: float = 1e-3,
     *,
     timeout: float | None = None,
@@ -151,16 +160,17 @@ def generalized_depth_bracket(
         batch), and limits that are negative or not numbers.
     """
     pieces_a = convex_pieces(A, name="A")
-    prepared = isinstance(B, ConvexSeparators)
-    pieces_b = B.pieces if prepared else convex_pieces(B, name="B")
-    separators = B.core if prepared else None
+    if isinstance(B, ConvexSeparators):
+        pieces_b, separators = B.pieces, B._native
+    else:
+        pieces_b, separators = convex_pieces(B, name="B"), None
     q = _gate.poses(pose, "pose")
     tolerance = _gate.length(relative_tolerance, "relative_tolerance")
     seconds = math.inf if timeout is None else _gate.seconds(timeout, "timeout")
     nodes = MOST_COUNTED if max_nodes is None else _gate.count(max_nodes, "max_nodes")
     rows = np.atleast_2d(np.asarray(q))
     bad, numbers, counts, ends = _core.bracket_depths(
-        pieces_a.core, pieces_b.core, separators, rows, tolerance, seconds, nodes
+        pieces_a._native, pieces_b._native, separators, rows, tolerance, seconds, nodes
     )
     if bad >= 0:
         problem = "places the body outside the range of exact arithmetic"

@@ -4,19 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import Literal, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core, _gate
+from pdg.bodies.body import Body
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.batch import Batch
 from pdg.errors import PdgError
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from pdg.inputs import RealArray, Rows
 
 QueryMethod = Literal["per-normal", "displacement", "published"]
+"""Which sufficient test `c_obstacle_query` makes."""
+
+CellVerdict = Literal["full", "undecided"]
+"""What `c_obstacle_query` says of a cell: proven to lie in C-obstacle space, or nothing."""
+
 _METHODS = {"published": 0, "displacement": 1, "per-normal": 2}
 
 
@@ -37,7 +42,7 @@ class CObstacleVerdict:
         motion bound, for "per-normal" a lower bound of PD^t over the whole cell.
     """
 
-    verdict: Literal["full", "undecided"]
+    verdict: CellVerdict
     pair: tuple[int, int] | None
     margin: float
 
@@ -76,12 +81,18 @@ class CObstacleVerdicts(Batch[CObstacleVerdict]):
 
 @overload
 def c_obstacle_query(
-    A: Any, B: Any, cell: Sequence[float], method: QueryMethod = ...
+    A: Body, B: Body, cell: Sequence[float], method: QueryMethod = ...
 ) -> CObstacleVerdict: ...
 @overload
-def c_obstacle_query(A: Any, B: Any, cell: Any, method: QueryMethod = ...) -> Any: ...
 def c_obstacle_query(
-    A: Any, B: Any, cell: Any, method: QueryMethod = "per-normal"
+    A: Body, B: Body, cell: Rows, method: QueryMethod = ...
+) -> CObstacleVerdicts: ...
+@overload
+def c_obstacle_query(
+    A: Body, B: Body, cell: RealArray, method: QueryMethod = ...
+) -> CObstacleVerdict | CObstacleVerdicts: ...
+def c_obstacle_query(
+    A: Body, B: Body, cell: Sequence[float] | Rows | RealArray, method: QueryMethod = "per-normal"
 ) -> CObstacleVerdict | CObstacleVerdicts:
     """Try to prove that A and B overlap in every configuration of a cell ([PDG] section 8.1).
 
@@ -118,10 +129,10 @@ def c_obstacle_query(
     pieces_b = convex_pieces(B, name="B")
     if isinstance(judged, tuple):
         return _verdict(
-            *_core.c_obstacle_query(pieces_a.core, pieces_b.core, *judged, _METHODS[method])
+            *_core.c_obstacle_query(pieces_a._native, pieces_b._native, *judged, _METHODS[method])
         )
     full, pairs, margins = _core.c_obstacle_queries(
-        pieces_a.core, pieces_b.core, judged, _METHODS[method]
+        pieces_a._native, pieces_b._native, judged, _METHODS[method]
     )
     return CObstacleVerdicts(np.where(full, "full", "undecided"), pairs, margins)
 

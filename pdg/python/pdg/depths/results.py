@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg.depths.batch import Batch
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
 Point = tuple[float, float]
+"""A point or a vector (x, y), in the caller's unit of length."""
+
+Pose = tuple[float, float, float]
+"""A configuration (x, y, theta): turn by theta radians about the frame's origin, then translate."""
+
 PairState = Literal["apart", "touching", "overlap"]
+"""How two placed bodies meet: no common point, common points but disjoint interiors, or more."""
+
 _STATES: tuple[PairState, PairState, PairState] = ("apart", "touching", "overlap")
 
 

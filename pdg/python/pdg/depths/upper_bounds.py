@@ -7,43 +7,60 @@ sections 5 and 6.2.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal, overload
+from dataclasses import dataclass
+from typing import Literal, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core, _gate
+from pdg.bodies.body import Body
 from pdg.bodies.piece_set import ConvexPieces
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.batch import Batch
+from pdg.depths.results import Pose
 from pdg.errors import PdgError
+from pdg.inputs import RealArray, Rows
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+UpperBoundMethod = Literal["hulls", "separators", "best"]
+"""Which free configurations `generalized_depth_upper_bound` looks for."""
 
-Pose = tuple[float, float, float]
-Method = Literal["hulls", "separators", "best"]
-Source = Literal["free", "hulls", "separator"]
-_SOURCES: tuple[Source, Source, Source] = ("free", "hulls", "separator")
-_HERE = (0.0, 0.0, 0.0)
+PlacementSource = Literal["free", "hulls", "separator"]
+"""Where a free configuration comes from; see `FreePlacement`."""
+
+# In the order of the core's codes.
+_SOURCES: tuple[PlacementSource, ...] = ("free", "hulls", "separator")
 
 
-@dataclass(frozen=True, slots=True)
 class ConvexSeparators:
-    """The convex separators of a fixed body, ready for repeated queries.
+    """The convex separators of a fixed body, ready for repeated queries; immutable.
 
     Each is a convex container that holds nothing of the body's interior. Iterating gives its
-    half-planes, an array of shape (k, 3) with rows (n_x, n_y, c): the points with n . p <= c.
+    half-planes, an array of shape (k, 3) with rows (n_x, n_y, c): the points with n . p <= c. Made
+    by `convex_separators`.
     """
 
-    pieces: ConvexPieces = field(repr=False)
-    core: _core.SeparatorSet = field(repr=False)
+    __slots__ = ("_native", "_pieces")
+
+    _native: _core.SeparatorSet
+    _pieces: ConvexPieces
+
+    def __init__(self) -> None:
+        raise TypeError("ConvexSeparators are made by pdg.convex_separators")
+
+    @property
+    def pieces(self) -> ConvexPieces:
+        """The convex pieces of the body."""
+        return self._pieces
 
     def __len__(self) -> int:
-        return len(self.core)
+        return len(self._native)
 
     def __iter__(self) -> Iterator[NDArray[np.float64]]:
-        return (self.core.sides(k) for k in range(len(self)))
+        return (self._native.sides(k) for k in range(len(self)))
+
+    def __repr__(self) -> str:
+        return f"ConvexSeparators(separators={len(self)}, pieces={len(self.pieces)})"
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +82,7 @@ class FreePlacement:
     """
 
     pose: Pose
-    source: Source
+    source: PlacementSource
     separator: int | None
     drawn_back: bool
 
@@ -141,7 +158,7 @@ class DepthUpperBounds(Batch[DepthUpperBound]):
         return DepthUpperBound(*self._values(row))
 
 
-def convex_separators(B: Any) -> ConvexSeparators:
+def convex_separators(B: Body | ConvexSeparators) -> ConvexSeparators:
     """Enumerate convex containers of a fixed body's complement, its holes included.
 
     A separator in the sense of [PDG] section 6.2.3 is the boundary of such a container. Each piece
@@ -168,18 +185,34 @@ def convex_separators(B: Any) -> ConvexSeparators:
     """
     if isinstance(B, ConvexSeparators):
         return B
-    pieces = convex_pieces(B, name="B")
-    return ConvexSeparators(pieces, _core.SeparatorSet(pieces.core))
+    separators = object.__new__(ConvexSeparators)
+    separators._pieces = convex_pieces(B, name="B")
+    separators._native = _core.SeparatorSet(separators._pieces._native)
+    return separators
 
 
 @overload
 def generalized_depth_upper_bound(
-    A: Any, B: Any, pose: Sequence[float] = ..., *, method: Method = ...
+    A: Body,
+    B: Body | ConvexSeparators,
+    pose: Sequence[float] = ...,
+    *,
+    method: UpperBoundMethod = ...,
 ) -> DepthUpperBound: ...
 @overload
-def generalized_depth_upper_bound(A: Any, B: Any, pose: Any, *, method: Method = ...) -> Any: ...
 def generalized_depth_upper_bound(
-    A: Any, B: Any, pose: Any = _HERE, *, method: Method = "separators"
+    A: Body, B: Body | ConvexSeparators, pose: Rows, *, method: UpperBoundMethod = ...
+) -> DepthUpperBounds: ...
+@overload
+def generalized_depth_upper_bound(
+    A: Body, B: Body | ConvexSeparators, pose: RealArray, *, method: UpperBoundMethod = ...
+) -> DepthUpperBound | DepthUpperBounds: ...
+def generalized_depth_upper_bound(
+    A: Body,
+    B: Body | ConvexSeparators,
+    pose: Sequence[float] | Rows | RealArray = _gate.HERE,
+    *,
+    method: UpperBoundMethod = "separators",
 ) -> DepthUpperBound | DepthUpperBounds:
     """Return upper bounds of the generalized penetration depth PD^g, with free configurations.
 
@@ -225,13 +258,13 @@ def generalized_depth_upper_bound(
         separators = None
     elif method in ("separators", "best"):
         prepared = convex_separators(B)
-        pieces_b, separators = prepared.pieces, prepared.core
+        pieces_b, separators = prepared.pieces, prepared._native
     else:
         raise PdgError("expected 'hulls', 'separators' or 'best'", "method", value=method)
     q = _gate.poses(pose, "pose")
     rows = np.atleast_2d(np.asarray(q))
     bad, numbers, codes = _core.depth_upper_bounds(
-        pieces_a.core, pieces_b.core, separators, rows, method == "best"
+        pieces_a._native, pieces_b._native, separators, rows, method == "best"
     )
     if bad >= 0:
         problem = "places the body outside the range of exact arithmetic"

@@ -6,15 +6,16 @@ Source: [GFE] Eqs. 8 and 16 and the end of section III.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg.distance import PenetrationDistance, penetration_distance
 from pdg.errors import PdgError
 from pdg.grasp import _gate
 from pdg.grasp.wrenches import WrenchSet
-from pdg.sets import AffineImage, Ball, ConvexSet, as_convex_set
+from pdg.sets import AffineImage, Ball, ConvexSet, SupportSet, as_convex_set
 from pdg.tolerances import (
     ABSOLUTE_TOLERANCE,
     CLOSURE_TOLERANCE,
@@ -22,10 +23,8 @@ from pdg.tolerances import (
     MAX_ITERATIONS,
 )
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
 ClosureState = Literal["closed", "open", "undecided"]
+"""Whether a grasp has force closure; see `ForceClosure`."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -116,7 +115,7 @@ def force_closure(wrenches: WrenchSet, timeout: float | None = None) -> ForceClo
 
 def force_efficiency(
     wrenches: WrenchSet,
-    Q: Any = None,
+    Q: SupportSet | None = None,
     absolute_tolerance: float = ABSOLUTE_TOLERANCE,
     *,
     relative_tolerance: float = 0.0,
@@ -164,7 +163,7 @@ def force_efficiency(
     return ForceEfficiency(lower, upper, direction, basis.shape[1], distance)
 
 
-def _within(Q: Any, basis: NDArray[np.float64]) -> ConvexSet:
+def _within(Q: SupportSet | None, basis: NDArray[np.float64]) -> ConvexSet:
     """Return Q's projection onto the space of the basis, in its coordinates."""
     space, dimension = basis.shape
     if Q is None:

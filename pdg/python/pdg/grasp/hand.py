@@ -11,9 +11,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import Literal, get_args
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from pdg._gate import flag
 from pdg.errors import PdgError
@@ -22,10 +23,11 @@ from pdg.grasp.active_forces import ActiveForces, active_forces, column_space
 from pdg.grasp.contacts import Contact, contact_map
 from pdg.grasp.wrenches import ForceNorm, WrenchSet, checked
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
 JointMode = Literal["active", "locked", "free"]
+"""What moves an independent joint rate: a motor, nothing (it is held), or anything but a motor."""
+
+JointKind = Literal["revolute", "prismatic"]
+"""Whether a joint turns or slides."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,7 +45,7 @@ class Joint:
         A point of a revolute joint's axis; zero for a prismatic joint.
     """
 
-    kind: Literal["revolute", "prismatic"]
+    kind: JointKind
     axis: NDArray[np.float64]
     point: NDArray[np.float64]
 
@@ -71,7 +73,7 @@ class Finger:
     reach: tuple[float, float]
 
 
-def revolute(point: Any, axis: Any = None) -> Joint:
+def revolute(point: ArrayLike, axis: ArrayLike | None = None) -> Joint:
     """Return a joint that turns about the line through `point` along `axis`.
 
     Parameters
@@ -99,7 +101,7 @@ def revolute(point: Any, axis: Any = None) -> Joint:
     return Joint("revolute", _gate.frozen(np.zeros(2)), p)
 
 
-def prismatic(axis: Any) -> Joint:
+def prismatic(axis: ArrayLike) -> Joint:
     """Return a joint that slides along `axis`.
 
     Parameters
@@ -125,7 +127,7 @@ def prismatic(axis: Any) -> Joint:
 def finger(
     contact: Contact,
     joints: Sequence[Joint],
-    coupling: Any = None,
+    coupling: ArrayLike | None = None,
     modes: Sequence[JointMode] | None = None,
 ) -> Finger:
     """Return a finger from its joints in their present pose.
@@ -177,7 +179,7 @@ def finger(
     return Finger(contact, _gate.frozen((J @ C)[:, moving]), free, _reach(contact, joints, C))
 
 
-def finger_forces(finger: Finger, length: Any = 1.0) -> ActiveForces:
+def finger_forces(finger: Finger, length: float = 1.0) -> ActiveForces:
     """Return the contact forces that a finger's motors make and that friction allows.
 
     Parameters
@@ -216,7 +218,7 @@ def finger_forces(finger: Finger, length: Any = 1.0) -> ActiveForces:
 
 
 def active_wrench_set(
-    fingers: Sequence[Finger], norm: ForceNorm = "linf", length: Any = 1.0, idle: bool = True
+    fingers: Sequence[Finger], norm: ForceNorm = "linf", length: float = 1.0, idle: bool = True
 ) -> WrenchSet | None:
     """Return W^a, the wrenches that joint torques alone can make, in its minimal subspace.
 

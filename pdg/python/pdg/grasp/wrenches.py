@@ -19,9 +19,10 @@ Table I of [GFE] is of "linf" with idle contacts; its Eq. 5 reads without.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import Literal, get_args
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core
 from pdg._gate import flag
@@ -31,10 +32,8 @@ from pdg.grasp._gate import frozen
 from pdg.grasp.contacts import Contact, contact_map
 from pdg.sets import ConvexSet
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
 ForceNorm = Literal["l1", "linf"]
+"""How normal forces are limited: their sum is at most 1, or each of them is."""
 
 
 class WrenchSet(ConvexSet):
@@ -70,15 +69,13 @@ class WrenchSet(ConvexSet):
         basis: NDArray[np.float64],
     ) -> None:
         columns = np.concatenate([centres[:, None, :], axes.transpose(0, 2, 1)], axis=1)
-        super().__init__(
-            _core.grasp_wrench_set(np.ascontiguousarray(columns), norm == "linf", idle)
-        )
+        self._native = _core.grasp_wrench_set(np.ascontiguousarray(columns), norm == "linf", idle)
         self.centres, self.axes, self.norm, self.idle = frozen(centres), frozen(axes), norm, idle
         self.basis = frozen(basis)
 
 
 def grasp_wrench_set(
-    contacts: Sequence[Contact], norm: ForceNorm = "linf", length: Any = 1.0, idle: bool = True
+    contacts: Sequence[Contact], norm: ForceNorm = "linf", length: float = 1.0, idle: bool = True
 ) -> WrenchSet:
     """Return W, the wrenches that contacts can apply with a unit total force ([GFE] Eqs. 3–7).
 
@@ -113,7 +110,7 @@ def grasp_wrench_set(
     return WrenchSet(centres, axes, name, flag(idle, "idle"), np.eye(space))
 
 
-def checked(contacts: Sequence[Contact], norm: object, length: Any) -> tuple[float, ForceNorm]:
+def checked(contacts: Sequence[Contact], norm: object, length: float) -> tuple[float, ForceNorm]:
     """Return length and norm if they and the contacts make sense together."""
     for name in get_args(ForceNorm):
         if isinstance(norm, str) and norm == name:
