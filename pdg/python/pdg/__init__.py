@@ -72,9 +72,7 @@ from pdg.distance import (
     PenetrationDistance,
     penetration_distance,
 )
-from pdg.errors import (
-    PdgError,
-)
+from pdg.errors import BodyError, PdgError, PlacementError
 from pdg.inputs import (
     RealArray,
     Rows,
@@ -86,6 +84,7 @@ from pdg.stop_reason import (
 __all__ = [
     "Batch",
     "Body",
+    "BodyError",
     "CObstacleVerdict",
     "CObstacleVerdicts",
     "CellVerdict",
@@ -107,6 +106,7 @@ __all__ = [
     "PairState",
     "PdgError",
     "PenetrationDistance",
+    "PlacementError",
     "PlacementSource",
     "Point",
     "Pose",

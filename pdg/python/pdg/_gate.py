@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pdg import _core
-from pdg.errors import PdgError
+from pdg.errors import BodyError, PdgError, PlacementError
 from pdg.tolerances import (
     MAX_SET_COORDINATE,
     MIN_SET_COORDINATE,
@@ -16,6 +18,7 @@ from pdg.tolerances import (
     MOST_DIMENSIONS,
 )
 
+Kind = TypeVar("Kind", bound=str)
 Triple = tuple[float, float, float]
 
 HERE: Triple = (0.0, 0.0, 0.0)
@@ -24,9 +27,12 @@ HERE: Triple = (0.0, 0.0, 0.0)
 
 def ring(value: object, name: str) -> NDArray[np.float64]:
     """Return the ring as an (n, 2) array without a repeated last or consecutive vertex."""
-    points = numbers(value, name)
+    try:
+        points = numbers(value, name)
+    except PdgError as error:
+        raise BodyError(error.problem, name, value=value) from error
     if points.ndim != 2 or points.shape[1] != 2:
-        raise PdgError("a ring is an array of shape (n, 2)", name, value=points.shape)
+        raise BodyError("a ring is an array of shape (n, 2)", name, value=points.shape)
     magnitude = np.abs(points)
     # Negated, so that NaN fails too.
     sane = (magnitude == 0) | (
@@ -38,18 +44,12 @@ def ring(value: object, name: str) -> NDArray[np.float64]:
             "coordinates must be finite, and 0 or between "
             f"{_core.MIN_COORDINATE:.3g} and {_core.MAX_COORDINATE:.3g} in magnitude"
         )
-        raise PdgError(problem, name, row, points[row].tolist())
+        raise BodyError(problem, name, row, points[row].tolist())
     if len(points):
         points = points[np.any(points != np.roll(points, 1, axis=0), axis=1)]
     if len(np.unique(points, axis=0)) < 3:
-        raise PdgError("a ring needs at least three distinct points", name, value=len(points))
+        raise BodyError("a ring needs at least three distinct points", name, value=len(points))
     return np.ascontiguousarray(points)
-
-
-def triple(value: object, name: str) -> Triple:
-    """Return three finite numbers (x, y, theta): lengths in any one unit, and radians."""
-    x, y, theta = _vector(numbers(value, name), name, 3, "(x, y, theta)")
-    return x, y, theta
 
 
 def poses(value: object, name: str) -> Triple | NDArray[np.float64]:
@@ -59,6 +59,18 @@ def poses(value: object, name: str) -> Triple | NDArray[np.float64]:
         x, y, theta = _vector(array, name, 3, "(x, y, theta), or rows of them")
         return x, y, theta
     return _rows(array, name, 3, "(x, y, theta)")
+
+
+def out_of_range(pose: object, row: int | None = None) -> PlacementError:
+    """Return the error for a configuration, in a row of a batch, that the core refused."""
+    problem = "places the body outside the range of exact arithmetic"
+    return PlacementError(problem, "pose", row, pose)
+
+
+def check_placed(bad: int, rows: NDArray[np.float64], single: bool) -> None:
+    """Raise for the row at which the core stopped, unless it is -1."""
+    if bad >= 0:
+        raise out_of_range(rows[bad].tolist(), None if single else bad)
 
 
 def pose_pairs(q0: object, q1: object) -> tuple[NDArray[np.float64], NDArray[np.float64], bool]:
@@ -131,6 +143,15 @@ def flag(value: object, name: str) -> bool:
     if not isinstance(value, bool | np.bool_):
         raise PdgError("expected True or False", name, value=value)
     return bool(value)
+
+
+def choice(value: object, choices: Sequence[Kind], name: str, index: int | None = None) -> Kind:
+    """Return the one of a few strings that `value` is."""
+    for known in choices:
+        if isinstance(value, str) and value == known:
+            return known
+    *others, last = (f'"{known}"' for known in choices)
+    raise PdgError(f"expected {', '.join(others)} or {last}", name, index, value)
 
 
 def coordinates(

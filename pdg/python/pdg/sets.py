@@ -79,7 +79,8 @@ class ConvexSet:
 
     def support(self, u: ArrayLike) -> tuple[float, NDArray[np.float64]]:
         """Return h(u) and s(u), of shape (n,), for a direction u of any length."""
-        values, points = self.supports(_gate.coordinates(u, "u", 1, 0.0)[np.newaxis])
+        direction = _vector(u, "u", self.dimension, 0.0)
+        values, points = self._native.supports(direction[np.newaxis])
         return float(values[0]), points[0]
 
     def supports(self, directions: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -314,17 +315,18 @@ def as_convex_set(
         If `value` is neither; later, during use, if its answers are no numbers of the right shape
         or break u·s(u) = h(u).
     """
+    promised = _gate.length(accuracy, "accuracy")
     if isinstance(value, ConvexSet):
         return value
     if not isinstance(value, SupportSet):
         raise PdgError("expected a convex set: .dimension and .support(u)", name, value=value)
     dimension = _dimension(value.dimension, f"{name}.dimension")
-    asked = _Asked(value, name, accuracy)
+    asked = _Asked(value, name, promised)
     axes = np.eye(dimension)
     magnitude = [max(abs(asked(u)[0]), abs(asked(-u)[0])) for u in axes]
     asked.magnitude = np.array(magnitude)
     found = object.__new__(ConvexSet)
-    found._native = _core.python_set(asked, magnitude, [accuracy * m for m in magnitude])
+    found._native = _core.python_set(asked, magnitude, [promised * m for m in magnitude])
     return found
 
 

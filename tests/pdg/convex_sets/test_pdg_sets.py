@@ -160,7 +160,7 @@ def test_a_python_object_that_lies_or_breaks_is_reported() -> None:
         (lambda: sets.MinkowskiSum([]), "sets: at least one"),
         (lambda: sets.UnionHull([sets.Ball(2), sets.Ball(3)]), r"sets\[1\]: expected dimension 2"),
         (lambda: sets.AffineImage(np.eye(3), sets.Ball(2)), "matrix: expected 2 columns"),
-        (lambda: sets.Ball(2).support([1, 2, 3]), "directions: expected 2 coordinates"),
+        (lambda: sets.Ball(2).support([1, 2, 3]), "u: expected 2 numbers"),
         (lambda: sets.Scaled(np.inf, sets.Ball(2)), "factor"),
     ],
 )

@@ -123,7 +123,7 @@ def test_motion_bounds() -> None:
         ((0, 0, 0, 1, -1, 0), "per-normal", "cell[4]: a half-extent must not be negative"),
         ((0, 0, 0, 1, 1), "per-normal", "expected 6 numbers"),
         ((0, 0, math.inf, 1, 1, 1), "per-normal", "cell[2]: must be finite"),
-        ((0, 0, 0, 1, 1, 1), "guess", "method: expected one of"),
+        ((0, 0, 0, 1, 1, 1), "guess", 'method: expected "published"'),
     ],
 )
 def test_bad_arguments_are_refused(cell: tuple[float, ...], method: Any, words: str) -> None:

@@ -11,7 +11,7 @@ from pdg import _core, _gate
 from pdg.bodies import shapes
 from pdg.bodies.body import Body
 from pdg.bodies.piece_set import ConvexPieces, hold
-from pdg.errors import PdgError
+from pdg.errors import BodyError
 
 
 def convex_pieces(body: Body, *, cover: bool = True, name: str = "body") -> ConvexPieces:
@@ -42,10 +42,11 @@ def convex_pieces(body: Body, *, cover: bool = True, name: str = "body") -> Conv
 
     Raises
     ------
+    BodyError
+        For rings of fewer than three distinct points, coordinates that are not finite or out of
+        range, edges that cross, holes outside their shell, z coordinates, and bodies without area.
     PdgError
-        For rings of fewer than three distinct points, non-finite coordinates, edges that cross,
-        holes outside their shell, z coordinates, bodies without area, and a `cover` that is no
-        bool.
+        For a `cover` that is not a bool.
     """
     whole = _gate.flag(cover, "cover")
     if isinstance(body, ConvexPieces):
@@ -55,9 +56,9 @@ def convex_pieces(body: Body, *, cover: bool = True, name: str = "body") -> Conv
     try:
         core = _core.PieceSet(*_flat(polygons), whole)
     except ValueError as error:
-        raise PdgError(str(error), name) from error
+        raise BodyError(str(error), name) from error
     if len(core) == 0:
-        raise PdgError("the polygon has no area", name)
+        raise BodyError("the polygon has no area", name)
     return hold(core)
 
 
@@ -65,7 +66,7 @@ def _check_holes(polygons: list[shapes.Rings], name: str) -> None:
     """Refuse what the core, which takes the even-odd interior, would misread: stray holes."""
     with_holes = [polygon for polygon in polygons if len(polygon) > 1]
     if with_holes and (defect := _core.first_defect(*_flat(with_holes))) is not None:
-        raise PdgError(f"invalid polygon: {defect[1]}", name)
+        raise BodyError(f"invalid polygon: {defect[1]}", name)
 
 
 def _flat(

@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from typing import overload
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pdg import _core, _gate
 from pdg.bodies.body import Body
@@ -23,10 +22,7 @@ from pdg.depths.results import (
     many_depths,
     one_depth,
 )
-from pdg.errors import PdgError
 from pdg.inputs import RealArray, Rows
-
-_OUT_OF_RANGE = "places the body outside the range of exact arithmetic"
 
 
 @overload
@@ -76,9 +72,9 @@ def translational_depth(
         try:
             return one_depth(_core.translational_depth(pieces_a._native, pieces_b._native, q))
         except ValueError as error:
-            raise PdgError(_OUT_OF_RANGE, "pose", value=q) from error
+            raise _gate.out_of_range(q) from error
     bad, states, rows = _core.translational_depths(pieces_a._native, pieces_b._native, q)
-    _check_placed(bad, q)
+    _gate.check_placed(bad, q, single=False)
     return many_depths((states, rows))
 
 
@@ -128,18 +124,12 @@ def generalized_depth_lower_bound(
         try:
             found = _core.generalized_depth_lower_bound(pieces_a._native, pieces_b._native, q)
         except ValueError as error:
-            raise PdgError(_OUT_OF_RANGE, "pose", value=q) from error
+            raise _gate.out_of_range(q) from error
         depth, i, j, pair = found
         return DepthLowerBound(depth, (i, j), one_depth(pair)) if i >= 0 else NO_PAIR
     bad, pairs, states, rows = _core.generalized_depth_lower_bounds(
         pieces_a._native, pieces_b._native, q
     )
-    _check_placed(bad, q)
+    _gate.check_placed(bad, q, single=False)
     witness = many_depths((states, rows))
     return DepthLowerBounds(np.where(pairs[:, 0] >= 0, witness.depth, 0.0), pairs, witness)
-
-
-def _check_placed(bad: int, poses: NDArray[np.float64]) -> None:
-    """Raise for the row, if any, at which the core stopped."""
-    if bad >= 0:
-        raise PdgError(_OUT_OF_RANGE, "pose", bad, poses[bad].tolist())

@@ -16,7 +16,6 @@ from pdg.bodies.pieces import convex_pieces
 from pdg.depths.batch import Batch
 from pdg.depths.results import Pose
 from pdg.depths.upper_bounds import ConvexSeparators
-from pdg.errors import PdgError
 from pdg.inputs import RealArray, Rows
 from pdg.stop_reason import StopReason
 from pdg.tolerances import MOST_COUNTED
@@ -172,9 +171,7 @@ def generalized_depth_bracket(
     bad, numbers, counts, ends = _core.bracket_depths(
         pieces_a._native, pieces_b._native, separators, rows, tolerance, seconds, nodes
     )
-    if bad >= 0:
-        problem = "places the body outside the range of exact arithmetic"
-        raise PdgError(problem, "pose", None if isinstance(q, tuple) else bad, rows[bad].tolist())
+    _gate.check_placed(bad, rows, isinstance(q, tuple))
     brackets = DepthBrackets(
         numbers[:, 0],
         numbers[:, 1],

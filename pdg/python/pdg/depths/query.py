@@ -13,7 +13,6 @@ from pdg import _core, _gate
 from pdg.bodies.body import Body
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.batch import Batch
-from pdg.errors import PdgError
 from pdg.inputs import RealArray, Rows
 
 QueryMethod = Literal["per-normal", "displacement", "published"]
@@ -22,7 +21,8 @@ QueryMethod = Literal["per-normal", "displacement", "published"]
 CellVerdict = Literal["full", "undecided"]
 """What `c_obstacle_query` says of a cell: proven to lie in C-obstacle space, or nothing."""
 
-_METHODS = {"published": 0, "displacement": 1, "per-normal": 2}
+# In the order of the core's QueryMethod.
+_METHODS: tuple[QueryMethod, ...] = ("published", "displacement", "per-normal")
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,17 +122,14 @@ def c_obstacle_query(
         For a broken polygon, an unknown method, numbers that are not finite and negative
         half-extents (``index`` is the row in a batch).
     """
-    if not isinstance(method, str) or method not in _METHODS:
-        raise PdgError(f"expected one of {sorted(_METHODS)}", "method", value=method)
+    code = _METHODS.index(_gate.choice(method, _METHODS, "method"))
     judged = _gate.cells(cell, "cell")
     pieces_a = convex_pieces(A, name="A")
     pieces_b = convex_pieces(B, name="B")
     if isinstance(judged, tuple):
-        return _verdict(
-            *_core.c_obstacle_query(pieces_a._native, pieces_b._native, *judged, _METHODS[method])
-        )
+        return _verdict(*_core.c_obstacle_query(pieces_a._native, pieces_b._native, *judged, code))
     full, pairs, margins = _core.c_obstacle_queries(
-        pieces_a._native, pieces_b._native, judged, _METHODS[method]
+        pieces_a._native, pieces_b._native, judged, code
     )
     return CObstacleVerdicts(np.where(full, "full", "undecided"), pairs, margins)
 

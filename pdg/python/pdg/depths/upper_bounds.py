@@ -19,7 +19,6 @@ from pdg.bodies.piece_set import ConvexPieces
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.batch import Batch
 from pdg.depths.results import Pose
-from pdg.errors import PdgError
 from pdg.inputs import RealArray, Rows
 
 UpperBoundMethod = Literal["hulls", "separators", "best"]
@@ -28,7 +27,8 @@ UpperBoundMethod = Literal["hulls", "separators", "best"]
 PlacementSource = Literal["free", "hulls", "separator"]
 """Where a free configuration comes from; see `FreePlacement`."""
 
-# In the order of the core's codes.
+_METHODS: tuple[UpperBoundMethod, ...] = ("hulls", "separators", "best")
+# In the order of the core's PlacementSource.
 _SOURCES: tuple[PlacementSource, ...] = ("free", "hulls", "separator")
 
 
@@ -251,24 +251,19 @@ def generalized_depth_upper_bound(
         (``index`` is its row in a batch).
     """
     pieces_a = convex_pieces(A, name="A")
-    if not isinstance(method, str):
-        raise PdgError("expected 'hulls', 'separators' or 'best'", "method", value=method)
-    if method == "hulls":
+    wanted = _gate.choice(method, _METHODS, "method")
+    if wanted == "hulls":
         pieces_b = B.pieces if isinstance(B, ConvexSeparators) else convex_pieces(B, name="B")
         separators = None
-    elif method in ("separators", "best"):
+    else:
         prepared = convex_separators(B)
         pieces_b, separators = prepared.pieces, prepared._native
-    else:
-        raise PdgError("expected 'hulls', 'separators' or 'best'", "method", value=method)
     q = _gate.poses(pose, "pose")
     rows = np.atleast_2d(np.asarray(q))
     bad, numbers, codes = _core.depth_upper_bounds(
-        pieces_a._native, pieces_b._native, separators, rows, method == "best"
+        pieces_a._native, pieces_b._native, separators, rows, wanted == "best"
     )
-    if bad >= 0:
-        problem = "places the body outside the range of exact arithmetic"
-        raise PdgError(problem, "pose", None if isinstance(q, tuple) else bad, rows[bad].tolist())
+    _gate.check_placed(bad, rows, isinstance(q, tuple))
     bounds = DepthUpperBounds(
         numbers[:, 0],
         _placements(numbers[:, 1:4], codes[:, 0:3]),

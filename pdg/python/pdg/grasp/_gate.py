@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeVar, cast
+from collections.abc import Iterable
+from typing import TypeVar, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
+from pdg import _gate
 from pdg.errors import PdgError
 from pdg.tolerances import MAX_GRASP_MAGNITUDE, MIN_GRASP_MAGNITUDE
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from numpy.typing import NDArray
 
 Kind = TypeVar("Kind")
 
@@ -56,13 +54,7 @@ def positive(value: object, name: str) -> float:
 
 def array(value: object, name: str) -> NDArray[np.float64]:
     """Return a read-only array of any shape, whose numbers are 0 or of sane magnitude."""
-    try:
-        given = np.array(value)
-    except (TypeError, ValueError) as error:
-        raise PdgError("expected real numbers", name, value=value) from error
-    if given.dtype.kind not in "iuf":
-        raise PdgError("expected real numbers", name, value=value)
-    numbers = given.astype(np.float64)
+    numbers = np.array(_gate.numbers(value, name))
     magnitude = np.abs(numbers)
     # Negated, so that NaN fails too.
     sane = (magnitude >= MIN_GRASP_MAGNITUDE) & (magnitude <= MAX_GRASP_MAGNITUDE)
@@ -86,11 +78,15 @@ def one_of_kind(value: object, kind: type[Kind], name: str, index: int | None = 
 
 def all_of_kind(values: object, kind: type[Kind], name: str) -> list[Kind]:
     """Return the items of an iterable, instances of `kind`."""
+    return [one_of_kind(item, kind, name, i) for i, item in enumerate(items(values, name))]
+
+
+def items(values: object, name: str) -> list[object]:
+    """Return the items of an iterable."""
     try:
-        items = list(cast("Iterable[object]", values))
+        return list(cast("Iterable[object]", values))
     except TypeError as error:
-        raise PdgError(f"expected {kind.__name__}s", name, value=values) from error
-    return [one_of_kind(item, kind, name, i) for i, item in enumerate(items)]
+        raise PdgError("expected a sequence", name, value=values) from error
 
 
 def frozen(numbers: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -11,12 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pdg._gate import flag
+from pdg._gate import choice, flag
 from pdg.errors import PdgError
 from pdg.grasp import _gate
 from pdg.grasp.active_forces import ActiveForces, active_forces, column_space
@@ -25,6 +25,8 @@ from pdg.grasp.wrenches import ForceNorm, WrenchSet, checked
 
 JointMode = Literal["active", "locked", "free"]
 """What moves an independent joint rate: a motor, nothing (it is held), or anything but a motor."""
+
+_MODES: tuple[JointMode, ...] = ("active", "locked", "free")
 
 JointKind = Literal["revolute", "prismatic"]
 """Whether a joint turns or slides."""
@@ -165,12 +167,7 @@ def finger(
     if C.ndim != 2 or C.shape[0] != len(joints):
         problem = f"expected an array of shape ({len(joints)}, a)"
         raise PdgError(problem, "coupling", value=C.shape)
-    states = ("active",) * C.shape[1] if modes is None else tuple(modes)
-    if len(states) != C.shape[1]:
-        raise PdgError(f"expected {C.shape[1]} modes", "modes", value=len(states))
-    for i, state in enumerate(states):
-        if state not in get_args(JointMode):
-            raise PdgError('expected "active", "locked" or "free"', "modes", i, state)
+    states = _modes(("active",) * C.shape[1] if modes is None else modes, C.shape[1])
     moving = [i for i, state in enumerate(states) if state != "locked"]
     J = np.zeros((2 * size - 2, len(joints)))
     for i, joint in enumerate(joints):
@@ -245,7 +242,7 @@ def active_wrench_set(
         As `grasp_wrench_set`.
     """
     fingers = _gate.all_of_kind(fingers, Finger, "fingers")
-    scale, name = checked([one.contact for one in fingers], norm, length)
+    scale, known = checked([one.contact for one in fingers], norm, length, "fingers")
     centres, axes = [], []
     for one in fingers:
         forces = finger_forces(one, scale)
@@ -259,7 +256,7 @@ def active_wrench_set(
     R = minimal_basis(np.column_stack([np.column_stack(centres), *axes]))
     most = max(M.shape[1] for M in axes)
     padded = [np.pad(R.T @ M, ((0, 0), (0, most - M.shape[1]))) for M in axes]
-    return WrenchSet(np.array(centres) @ R, np.array(padded), name, flag(idle, "idle"), R)
+    return WrenchSet(np.array(centres) @ R, np.array(padded), known, flag(idle, "idle"), R)
 
 
 def minimal_basis(wrenches: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -268,6 +265,14 @@ def minimal_basis(wrenches: NDArray[np.float64]) -> NDArray[np.float64]:
     dominant = np.sort(np.argsort(-np.linalg.norm(R, axis=1), kind="stable")[: R.shape[1]])
     aligned = np.eye(len(R))[:, dominant]
     return aligned if column_space(np.hstack([R, aligned]), 1.0).shape[1] == R.shape[1] else R
+
+
+def _modes(modes: object, count: int) -> list[JointMode]:
+    """Return the checked modes of so many joint rates."""
+    states = _gate.items(modes, "modes")
+    if len(states) != count:
+        raise PdgError(f"expected {count} modes", "modes", value=len(states))
+    return [choice(state, _MODES, "modes", i) for i, state in enumerate(states)]
 
 
 def _tip_velocity(contact: Contact, joint: Joint) -> NDArray[np.float64]:
