@@ -10,7 +10,7 @@ and Using Novel Generalized Penetration Distance Algorithm*, ICRA 2013.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Protocol, runtime_checkable
 
 import numpy as np
@@ -63,14 +63,27 @@ class SupportSet(Protocol):
 
 
 class ConvexSet:
-    """A compiled convex set; immutable. Made by its subclasses and by `as_convex_set`."""
+    """A compiled convex set; immutable. Made by its subclasses and by `as_convex_set`.
 
-    __slots__ = ("_native",)
+    Pickling keeps what the set was made of, from which it is compiled again; a caller's own set
+    must itself be one that pickles.
+    """
+
+    __slots__ = ("_arguments", "_native")
 
     _native: _core.ConvexSet
+    _arguments: tuple[object, ...]
 
     def __init__(self) -> None:
         raise TypeError("a ConvexSet is made by its subclasses and by pdg.sets.as_convex_set")
+
+    def _hold(self, native: _core.ConvexSet, *arguments: object) -> None:
+        """Keep the compiled set and the arguments that make it anew, its arrays copied."""
+        self._native = native
+        self._arguments = tuple(a.copy() if isinstance(a, np.ndarray) else a for a in arguments)
+
+    def __reduce__(self) -> tuple[Callable[..., ConvexSet], tuple[object, ...]]:
+        return type(self), self._arguments
 
     @property
     def dimension(self) -> int:
@@ -123,10 +136,12 @@ class Ellipsoid(ConvexSet):
         numbers = _gate.numbers(axes, "axes")
         if numbers.ndim == 1:
             radii = _gate.coordinates(numbers, "axes", 1)
-            self._native = _core.axis_ellipsoid(radii, _centre(centre, len(radii)))
+            middle = _centre(centre, len(radii))
+            self._hold(_core.axis_ellipsoid(radii, middle), radii, middle)
         else:
             matrix = _gate.coordinates(numbers, "axes", 2)
-            self._native = _core.ellipsoid(matrix, _centre(centre, len(matrix)))
+            middle = _centre(centre, len(matrix))
+            self._hold(_core.ellipsoid(matrix, middle), matrix, middle)
 
 
 class Ball(Ellipsoid):
@@ -147,7 +162,9 @@ class Ball(Ellipsoid):
     def __init__(
         self, dimension: int, radius: float = 1.0, centre: ArrayLike | None = None
     ) -> None:
-        super().__init__(_repeated(dimension, radius, "radius"), centre)
+        radii = _repeated(dimension, radius, "radius")
+        middle = _centre(centre, len(radii))
+        self._hold(_core.axis_ellipsoid(radii, middle), len(radii), float(radii[0]), middle)
 
 
 class Box(ConvexSet):
@@ -164,7 +181,8 @@ class Box(ConvexSet):
     __slots__ = ()
 
     def __init__(self, half_extents: ArrayLike, centre: ArrayLike | None = None) -> None:
-        self._native = _core.box(*_centred(half_extents, "half_extents", centre))
+        arrays = _centred(half_extents, "half_extents", centre)
+        self._hold(_core.box(*arrays), *arrays)
 
 
 class CrossPolytope(ConvexSet):
@@ -181,7 +199,8 @@ class CrossPolytope(ConvexSet):
     __slots__ = ()
 
     def __init__(self, radii: ArrayLike, centre: ArrayLike | None = None) -> None:
-        self._native = _core.cross_polytope(*_centred(radii, "radii", centre))
+        arrays = _centred(radii, "radii", centre)
+        self._hold(_core.cross_polytope(*arrays), *arrays)
 
 
 class PointSet(ConvexSet):
@@ -196,7 +215,8 @@ class PointSet(ConvexSet):
     __slots__ = ()
 
     def __init__(self, points: ArrayLike) -> None:
-        self._native = _core.point_set(_gate.coordinates(points, "points", 2))
+        rows = _gate.coordinates(points, "points", 2)
+        self._hold(_core.point_set(rows), rows)
 
 
 class Segment(PointSet):
@@ -212,7 +232,8 @@ class Segment(PointSet):
 
     def __init__(self, start: ArrayLike, end: ArrayLike) -> None:
         p = _gate.coordinates(start, "start", 1)
-        super().__init__(np.stack([p, _vector(end, "end", len(p))]))
+        q = _vector(end, "end", len(p))
+        self._hold(_core.point_set(np.stack([p, q])), p, q)
 
 
 class MinkowskiSum(ConvexSet):
@@ -227,7 +248,8 @@ class MinkowskiSum(ConvexSet):
     __slots__ = ()
 
     def __init__(self, sets: Iterable[SupportSet]) -> None:
-        self._native = _core.minkowski_sum(_cores(sets))
+        parts = _compiled(sets)
+        self._hold(_core.minkowski_sum([part._native for part in parts]), parts)
 
 
 class UnionHull(ConvexSet):
@@ -242,7 +264,8 @@ class UnionHull(ConvexSet):
     __slots__ = ()
 
     def __init__(self, sets: Iterable[SupportSet]) -> None:
-        self._native = _core.union_hull(_cores(sets))
+        parts = _compiled(sets)
+        self._hold(_core.union_hull([part._native for part in parts]), parts)
 
 
 class AffineImage(ConvexSet):
@@ -264,11 +287,12 @@ class AffineImage(ConvexSet):
         self, matrix: ArrayLike, inner: SupportSet, offset: ArrayLike | None = None
     ) -> None:
         m = _gate.coordinates(matrix, "matrix", 2)
-        core = as_convex_set(inner, "inner")._native
-        if m.shape[1] != core.dimension:
-            problem = f"expected {core.dimension} columns, the set's dimension"
+        part = as_convex_set(inner, "inner")
+        if m.shape[1] != part.dimension:
+            problem = f"expected {part.dimension} columns, the set's dimension"
             raise PdgError(problem, "matrix", value=m.shape)
-        self._native = _core.affine_image(m, _centre(offset, len(m), "offset"), core)
+        shift = _centre(offset, len(m), "offset")
+        self._hold(_core.affine_image(m, shift, part._native), m, part, shift)
 
 
 class Scaled(ConvexSet):
@@ -286,7 +310,8 @@ class Scaled(ConvexSet):
 
     def __init__(self, factor: float, inner: SupportSet) -> None:
         (number,) = _gate.coordinates([factor], "factor", 1)
-        self._native = _core.scaled(float(number), as_convex_set(inner, "inner")._native)
+        part = as_convex_set(inner, "inner")
+        self._hold(_core.scaled(float(number), part._native), float(number), part)
 
 
 def as_convex_set(
@@ -325,9 +350,22 @@ def as_convex_set(
     axes = np.eye(dimension)
     magnitude = [max(abs(asked(u)[0]), abs(asked(-u)[0])) for u in axes]
     asked.magnitude = np.array(magnitude)
-    found = object.__new__(ConvexSet)
-    found._native = _core.python_set(asked, magnitude, [promised * m for m in magnitude])
+    found = object.__new__(_CallersSet)
+    native = _core.python_set(asked, magnitude, [promised * m for m in magnitude])
+    found._hold(native, value, name, promised)
     return found
+
+
+class _CallersSet(ConvexSet):
+    """A set that asks a caller's object."""
+
+    __slots__ = ()
+
+    def __reduce__(self) -> tuple[Callable[..., ConvexSet], tuple[object, ...]]:
+        return as_convex_set, self._arguments
+
+    def __repr__(self) -> str:
+        return f"ConvexSet({self._arguments[0]!r})"
 
 
 class _Asked:
@@ -353,19 +391,20 @@ class _Asked:
         return value, point
 
 
-def _cores(sets: Iterable[SupportSet]) -> list[_core.ConvexSet]:
+def _compiled(sets: Iterable[SupportSet]) -> list[ConvexSet]:
+    """Return compiled sets of one dimension, at least one."""
     try:
         parts = list(sets)
     except TypeError as error:
         raise PdgError("expected sets", "sets", value=sets) from error
-    cores = [as_convex_set(inner, f"sets[{i}]")._native for i, inner in enumerate(parts)]
-    if not cores:
+    compiled = [as_convex_set(inner, f"sets[{i}]") for i, inner in enumerate(parts)]
+    if not compiled:
         raise PdgError("at least one set is needed", "sets")
-    for i, core in enumerate(cores):
-        if core.dimension != cores[0].dimension:
-            problem = f"expected dimension {cores[0].dimension}, the first set's"
-            raise PdgError(problem, "sets", i, core.dimension)
-    return cores
+    for i, part in enumerate(compiled):
+        if part.dimension != compiled[0].dimension:
+            problem = f"expected dimension {compiled[0].dimension}, the first set's"
+            raise PdgError(problem, "sets", i, part.dimension)
+    return compiled
 
 
 def _dimension(value: object, name: str) -> int:

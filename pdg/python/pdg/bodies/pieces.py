@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pdg import _core, _gate
 from pdg.bodies import shapes
 from pdg.bodies.body import Body
-from pdg.bodies.piece_set import ConvexPieces, hold
+from pdg.bodies.piece_set import ConvexPieces, decompose
 from pdg.errors import BodyError
 
 
@@ -54,12 +54,12 @@ def convex_pieces(body: Body, *, cover: bool = True, name: str = "body") -> Conv
     polygons = shapes.polygons(body, name)
     _check_holes(polygons, name)
     try:
-        core = _core.PieceSet(*_flat(polygons), whole)
+        pieces = decompose(*_flat(polygons), whole)
     except ValueError as error:
         raise BodyError(str(error), name) from error
-    if len(core) == 0:
+    if len(pieces) == 0:
         raise BodyError("the polygon has no area", name)
-    return hold(core)
+    return pieces
 
 
 def _check_holes(polygons: list[shapes.Rings], name: str) -> None:

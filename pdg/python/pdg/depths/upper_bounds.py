@@ -6,7 +6,7 @@ sections 5 and 6.2.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal, overload
 
@@ -37,7 +37,7 @@ class ConvexSeparators:
 
     Each is a convex container that holds nothing of the body's interior. Iterating gives its
     half-planes, an array of shape (k, 3) with rows (n_x, n_y, c): the points with n . p <= c. Made
-    by `convex_separators`.
+    by `convex_separators`. Pickling keeps the body, whose separators are enumerated again.
     """
 
     __slots__ = ("_native", "_pieces")
@@ -58,6 +58,9 @@ class ConvexSeparators:
 
     def __iter__(self) -> Iterator[NDArray[np.float64]]:
         return (self._native.sides(k) for k in range(len(self)))
+
+    def __reduce__(self) -> tuple[Callable[..., ConvexSeparators], tuple[ConvexPieces]]:
+        return convex_separators, (self._pieces,)
 
     def __repr__(self) -> str:
         return f"ConvexSeparators(separators={len(self)}, pieces={len(self.pieces)})"

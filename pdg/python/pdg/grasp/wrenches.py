@@ -74,6 +74,7 @@ class WrenchSet(ConvexSet):
         self._native = _core.grasp_wrench_set(np.ascontiguousarray(columns), norm == "linf", idle)
         self.centres, self.axes, self.norm, self.idle = frozen(centres), frozen(axes), norm, idle
         self.basis = frozen(basis)
+        self._arguments = (centres, axes, norm, idle, basis)  # read-only, so not copied
 
 
 def grasp_wrench_set(
