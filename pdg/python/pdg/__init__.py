@@ -1,7 +1,7 @@
 """Penetration depths of planar bodies that translate and rotate.
 
-Convex pieces, translational depth, lower bounds of the generalized depth, motion bounds and the
-C-obstacle query. Knows nothing of planning.
+It has convex pieces, the translational depth, bounds and brackets of the generalized depth, motion
+bounds, the C-obstacle query, and the penetration distance of convex sets in any dimension.
 """
 
 from __future__ import annotations
@@ -9,29 +9,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from pdg import sets
-from pdg.bodies.body import (
-    Body,
-    GeoInterface,
-    Shape,
-)
-from pdg.bodies.piece_set import (
-    ConvexPieces,
-)
-from pdg.bodies.pieces import (
-    convex_pieces,
-)
-from pdg.depths.batch import (
-    Batch,
-)
-from pdg.depths.depth import (
-    generalized_depth_lower_bound,
-    translational_depth,
-)
-from pdg.depths.depth_bracket import (
-    DepthBracket,
-    DepthBrackets,
-    generalized_depth_bracket,
-)
+from pdg.aliases import Point, Pose, RealArray, Rows
+from pdg.bodies.body import Body, GeoInterface, Shape
+from pdg.bodies.defects import PolygonDefect, polygon_defect
+from pdg.bodies.piece_set import ConvexPieces
+from pdg.bodies.pieces import convex_pieces, even_odd_pieces
+from pdg.depths.batch import Batch
+from pdg.depths.depth import generalized_depth_lower_bound, translational_depth
+from pdg.depths.depth_bracket import DepthBracket, DepthBrackets, generalized_depth_bracket
 from pdg.depths.motion import (
     DistanceBracket,
     DistanceBrackets,
@@ -51,8 +36,6 @@ from pdg.depths.results import (
     DepthLowerBound,
     DepthLowerBounds,
     PairState,
-    Point,
-    Pose,
     TranslationalDepth,
     TranslationalDepths,
 )
@@ -67,19 +50,9 @@ from pdg.depths.upper_bounds import (
     convex_separators,
     generalized_depth_upper_bound,
 )
-from pdg.distance import (
-    OriginState,
-    PenetrationDistance,
-    penetration_distance,
-)
+from pdg.distance import OriginState, PenetrationDistance, penetration_distance
 from pdg.errors import BodyError, PdgError, PlacementError
-from pdg.inputs import (
-    RealArray,
-    Rows,
-)
-from pdg.stop_reason import (
-    StopReason,
-)
+from pdg.stop_reason import StopReason
 
 __all__ = [
     "Batch",
@@ -109,6 +82,7 @@ __all__ = [
     "PlacementError",
     "PlacementSource",
     "Point",
+    "PolygonDefect",
     "Pose",
     "QueryMethod",
     "RealArray",
@@ -122,12 +96,14 @@ __all__ = [
     "convex_pieces",
     "convex_separators",
     "displacement",
+    "even_odd_pieces",
     "generalized_depth_bracket",
     "generalized_depth_lower_bound",
     "generalized_depth_upper_bound",
     "generalized_distance_bracket",
     "motion_bounds",
     "penetration_distance",
+    "polygon_defect",
     "sets",
     "translational_depth",
 ]

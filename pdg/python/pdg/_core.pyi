@@ -75,7 +75,7 @@ def first_defect(
     coords: NDArray[np.float64],
     ring_starts: NDArray[np.uint32],
     polygon_starts: NDArray[np.uint32],
-) -> tuple[int, str] | None: ...
+) -> tuple[int, str, _Pair | None] | None: ...
 
 class ConvexSet:
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
 import numpy as np
@@ -19,7 +19,11 @@ from pdg.tolerances import (
 )
 
 Kind = TypeVar("Kind", bound=str)
+Item = TypeVar("Item")
 Triple = tuple[float, float, float]
+
+LEAST_VERTICES = 3
+"""Of a ring."""
 
 HERE: Triple = (0.0, 0.0, 0.0)
 """The configuration of a body that stays as it is."""
@@ -33,11 +37,7 @@ def ring(value: object, name: str) -> NDArray[np.float64]:
         raise BodyError(error.problem, name, value=value) from error
     if points.ndim != 2 or points.shape[1] != 2:
         raise BodyError("a ring is an array of shape (n, 2)", name, value=points.shape)
-    magnitude = np.abs(points)
-    # Negated, so that NaN fails too.
-    sane = (magnitude == 0) | (
-        (magnitude >= _core.MIN_COORDINATE) & (magnitude <= _core.MAX_COORDINATE)
-    )
+    sane = in_range(points)
     if not sane.all():
         row = int(np.flatnonzero(~sane.all(axis=1))[0])
         problem = (
@@ -47,9 +47,18 @@ def ring(value: object, name: str) -> NDArray[np.float64]:
         raise BodyError(problem, name, row, points[row].tolist())
     if len(points):
         points = points[np.any(points != np.roll(points, 1, axis=0), axis=1)]
-    if len(np.unique(points, axis=0)) < 3:
+    if len(np.unique(points, axis=0)) < LEAST_VERTICES:
         raise BodyError("a ring needs at least three distinct points", name, value=len(points))
     return np.ascontiguousarray(points)
+
+
+def in_range(points: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return which coordinates the core's exact predicates take; NaN is none of them."""
+    magnitude = np.abs(points)
+    sane: NDArray[np.bool_] = (magnitude == 0) | (
+        (magnitude >= _core.MIN_COORDINATE) & (magnitude <= _core.MAX_COORDINATE)
+    )
+    return sane
 
 
 def poses(value: object, name: str) -> Triple | NDArray[np.float64]:
@@ -145,6 +154,24 @@ def flag(value: object, name: str) -> bool:
     return bool(value)
 
 
+def starts(value: object, name: str, end: int) -> NDArray[np.uint32]:
+    """Return starts that ascend from 0 to `end`, each part not empty."""
+    problem = "expected integers of shape (n,), not empty"
+    try:
+        array = np.asarray(value)
+    except (TypeError, ValueError) as error:
+        raise PdgError(problem, name, value=value) from error
+    if array.ndim != 1 or array.dtype.kind not in "iu" or len(array) == 0:
+        raise PdgError(problem, name, value=value)
+    for place, expected in ((0, 0), (-1, end)):
+        if array[place] != expected:
+            raise PdgError(f"must begin with 0 and end with {end}", name, value=array.tolist())
+    flat = np.flatnonzero(array[1:] <= array[:-1])
+    if len(flat):
+        raise PdgError("must ascend", name, int(flat[0]) + 1, int(array[flat[0] + 1]))
+    return np.ascontiguousarray(array, dtype=np.uint32)
+
+
 def choice(value: object, choices: Sequence[Kind], name: str, index: int | None = None) -> Kind:
     """Return the one of a few strings that `value` is."""
     for known in choices:
@@ -152,6 +179,14 @@ def choice(value: object, choices: Sequence[Kind], name: str, index: int | None 
             return known
     *others, last = (f'"{known}"' for known in choices)
     raise PdgError(f"expected {', '.join(others)} or {last}", name, index, value)
+
+
+def items(values: Iterable[Item], name: str) -> list[Item]:
+    """Return the items of an iterable."""
+    try:
+        return list(values)
+    except TypeError as error:
+        raise PdgError("expected a sequence", name, value=values) from error
 
 
 def coordinates(

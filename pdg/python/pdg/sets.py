@@ -393,11 +393,9 @@ class _Asked:
 
 def _compiled(sets: Iterable[SupportSet]) -> list[ConvexSet]:
     """Return compiled sets of one dimension, at least one."""
-    try:
-        parts = list(sets)
-    except TypeError as error:
-        raise PdgError("expected sets", "sets", value=sets) from error
-    compiled = [as_convex_set(inner, f"sets[{i}]") for i, inner in enumerate(parts)]
+    compiled = [
+        as_convex_set(inner, f"sets[{i}]") for i, inner in enumerate(_gate.items(sets, "sets"))
+    ]
     if not compiled:
         raise PdgError("at least one set is needed", "sets")
     for i, part in enumerate(compiled):

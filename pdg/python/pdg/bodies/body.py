@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Protocol
 
+from pdg.aliases import RealArray, Rows
 from pdg.bodies.piece_set import ConvexPieces
-from pdg.inputs import RealArray, Rows
 
 
 class GeoInterface(Protocol):

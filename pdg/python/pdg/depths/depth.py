@@ -11,6 +11,7 @@ from typing import overload
 import numpy as np
 
 from pdg import _core, _gate
+from pdg.aliases import RealArray, Rows
 from pdg.bodies.body import Body
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.results import (
@@ -22,7 +23,6 @@ from pdg.depths.results import (
     many_depths,
     one_depth,
 )
-from pdg.inputs import RealArray, Rows
 
 
 @overload

@@ -11,12 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pdg import _core, _gate
+from pdg.aliases import Pose, RealArray, Rows
 from pdg.bodies.body import Body
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.batch import Batch
-from pdg.depths.results import Pose
 from pdg.depths.upper_bounds import ConvexSeparators
-from pdg.inputs import RealArray, Rows
 from pdg.stop_reason import StopReason
 from pdg.tolerances import MOST_COUNTED
 

@@ -10,11 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pdg import _core, _gate
+from pdg.aliases import Point, RealArray, Rows
 from pdg.bodies.body import Body
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.batch import Batch
-from pdg.depths.results import Point
-from pdg.inputs import RealArray, Rows
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pdg import _core, _gate
+from pdg.aliases import RealArray, Rows
 from pdg.bodies.body import Body
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.batch import Batch
-from pdg.inputs import RealArray, Rows
 
 QueryMethod = Literal["per-normal", "displacement", "published"]
 """Which sufficient test `c_obstacle_query` makes."""

@@ -8,13 +8,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from pdg.aliases import Point
 from pdg.depths.batch import Batch
-
-Point = tuple[float, float]
-"""A point or a vector (x, y), in the caller's unit of length."""
-
-Pose = tuple[float, float, float]
-"""A configuration (x, y, theta): turn by theta radians about the frame's origin, then translate."""
 
 PairState = Literal["apart", "touching", "overlap"]
 """How two placed bodies meet: no common point, common points but disjoint interiors, or more."""

@@ -14,12 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pdg import _core, _gate
+from pdg.aliases import Pose, RealArray, Rows
 from pdg.bodies.body import Body
 from pdg.bodies.piece_set import ConvexPieces
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.batch import Batch
-from pdg.depths.results import Pose
-from pdg.inputs import RealArray, Rows
 
 UpperBoundMethod = Literal["hulls", "separators", "best"]
 """Which free configurations `generalized_depth_upper_bound` looks for."""

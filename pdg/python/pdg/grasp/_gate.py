@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TypeVar, cast
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,17 +76,9 @@ def one_of_kind(value: object, kind: type[Kind], name: str, index: int | None = 
     return value
 
 
-def all_of_kind(values: object, kind: type[Kind], name: str) -> list[Kind]:
+def all_of_kind(values: Iterable[object], kind: type[Kind], name: str) -> list[Kind]:
     """Return the items of an iterable, instances of `kind`."""
-    return [one_of_kind(item, kind, name, i) for i, item in enumerate(items(values, name))]
-
-
-def items(values: object, name: str) -> list[object]:
-    """Return the items of an iterable."""
-    try:
-        return list(cast("Iterable[object]", values))
-    except TypeError as error:
-        raise PdgError("expected a sequence", name, value=values) from error
+    return [one_of_kind(item, kind, name, i) for i, item in enumerate(_gate.items(values, name))]
 
 
 def frozen(numbers: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -9,14 +9,14 @@ Source: [GFE] section III.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pdg._gate import choice, flag
+from pdg._gate import choice, flag, items
 from pdg.errors import PdgError
 from pdg.grasp import _gate
 from pdg.grasp.active_forces import ActiveForces, active_forces, column_space
@@ -267,9 +267,9 @@ def minimal_basis(wrenches: NDArray[np.float64]) -> NDArray[np.float64]:
     return aligned if column_space(np.hstack([R, aligned]), 1.0).shape[1] == R.shape[1] else R
 
 
-def _modes(modes: object, count: int) -> list[JointMode]:
+def _modes(modes: Iterable[object], count: int) -> list[JointMode]:
     """Return the checked modes of so many joint rates."""
-    states = _gate.items(modes, "modes")
+    states = items(modes, "modes")
     if len(states) != count:
         raise PdgError(f"expected {count} modes", "modes", value=len(states))
     return [choice(state, _MODES, "modes", i) for i, state in enumerate(states)]
