@@ -15,7 +15,6 @@ from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
-from stress_parts.common import Row, Settings, fail
 
 from attacks.stress_parts.common import Row, Settings, fail
 from pdg import even_odd_pieces, polygon_defect
