@@ -16,6 +16,8 @@ from typing import Any, ClassVar
 import numpy as np
 import pytest
 
+from planar_planner import _core
+
 # Makes benchmarks and generators importable from a checkout, after anything that is installed.
 ROOT = Path(__file__).parents[1]
 for folder in (ROOT / "bench", ROOT):
@@ -56,7 +58,13 @@ STATS = {
     },
     "path_length": 2.5,
     "waypoints": 2,
-    "decided_by": "straight move",
+    "decided_by": _core.DecidedBy.STRAIGHT_MOVE,
+}
+
+DECIDED_BY = {
+    "path": _core.DecidedBy.STRAIGHT_MOVE,
+    "no_path": _core.DecidedBy.SEPARATION,
+    "undecided": None,
 }
 
 
@@ -69,7 +77,6 @@ class FakeCore:
         lambda q: FREE
     )
     verdict = "path"
-    reason = "straight move"
     during_solve: Callable[[Any], None] = staticmethod(lambda listener: None)
 
     def __init__(self, *arguments: Any, **parts: Any) -> None:
@@ -84,9 +91,10 @@ class FakeCore:
         path = np.array([start, goal]) if self.verdict == "path" else np.empty((0, 3))
         return {
             "verdict": self.verdict,
-            "reason": self.reason,
+            "stop_reason": _core.StopReason.CELLS if self.verdict == "undecided" else None,
+            "ends_moved": False,
             "path": path,
-            "stats": copy.deepcopy(STATS),
+            "stats": copy.deepcopy(STATS) | {"decided_by": DECIDED_BY[self.verdict]},
         }
 
     def least_clearance(self) -> float:
@@ -98,7 +106,7 @@ def fake_core(monkeypatch: pytest.MonkeyPatch) -> type[FakeCore]:
     """Replace the core of the planner by a fresh stand-in."""
     core = type("Core", (FakeCore,), {"built": [], "solved": []})
     module = ModuleType("planar_planner._core")
-    vars(module)["Core"] = core
+    vars(module).update(vars(_core) | {"Core": core})
     monkeypatch.setitem(sys.modules, "planar_planner._core", module)
     # modules that took the real class by name are imported anew, with the stand-in
     for name in (

@@ -11,6 +11,7 @@ from timing import Spread, repetitions
 
 from planar_planner import Options
 from planar_planner.planning.engine import ask, make_core
+from planar_planner.planning.outcome import sentence_of
 from planar_planner.problem.make import Problem
 
 FEWEST, MOST = 3, 15
@@ -88,4 +89,4 @@ def outcome(problem: Problem, variant: Variant, limits: Options, budget: float) 
         runs.append((time.process_time() - before, answer))
     middle = sorted(runs, key=lambda run: run[0])[len(runs) // 2][1]
     seconds = Spread.of([run[0] for run in runs])
-    return Outcome(variant, middle["verdict"], middle["reason"], seconds, middle["stats"])
+    return Outcome(variant, middle["verdict"], sentence_of(middle), seconds, middle["stats"])

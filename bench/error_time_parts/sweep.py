@@ -13,6 +13,7 @@ from timing import Spread, repetitions
 from error_time_parts.truths import SIDES, Side, Truth
 from planar_planner import Options, load_scene
 from planar_planner.planning.engine import ask, make_core
+from planar_planner.planning.outcome import sentence_of
 from planar_planner.problem.make import Problem, make_problem
 
 # The finest that doubles allow: at the default resolution the band begins at some 1e-10.
@@ -147,4 +148,4 @@ def answered(problem: Problem, name: str, limit: float) -> Run:
     cpu = time.thread_time() - began
     stats = answer["stats"]
     seconds = float(stats["seconds"]["total"])
-    return Run(answer["verdict"], int(stats["cells"]), seconds, cpu, str(answer["reason"]))
+    return Run(answer["verdict"], int(stats["cells"]), seconds, cpu, sentence_of(answer))

@@ -41,6 +41,7 @@ def here(family: str, value: float, timeout: float) -> dict[str, Any]:
     """Measure the point in this process; seconds are of the processor."""
     from planar_planner import Options, load_scene
     from planar_planner.planning.engine import ask, make_core
+    from planar_planner.planning.outcome import sentence_of
     from planar_planner.problem.make import make_problem
     from scale_parts.families import families
 
@@ -58,7 +59,7 @@ def here(family: str, value: float, timeout: float) -> dict[str, Any]:
     stats = answer["stats"]
     return {
         "verdict": answer["verdict"],
-        "reason": answer["reason"],
+        "reason": sentence_of(answer),
         "seconds": seconds,
         "loading": loading,
         "peak_bytes": KIB * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss,

@@ -4,7 +4,9 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
-#include <string>
+#include <optional>
+
+#include "outcome.hpp"
 
 namespace planner {
 
@@ -37,7 +39,7 @@ struct Statistics {
   std::uint64_t memory_bytes = 0;
   std::uint64_t constraint_bytes = 0;  // of these: the cells' undecided constraints
   Seconds seconds;
-  std::string decided_by;
+  std::optional<DecidedBy> decided_by;  // empty: undecided
 
   [[nodiscard]] std::uint64_t axis_work() const {
     return separation_evaluations + ridge_evaluations;

@@ -51,7 +51,7 @@ def test_quiet_prints_the_verdict_alone(
     fake_core: type[FakeCore], scene_file: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["solve", scene_file, "--quiet"]) == 0
-    assert capsys.readouterr().out == "small: path found (straight move)\n"
+    assert capsys.readouterr().out == "small: path found (certified straight move)\n"
 
 
 def test_statistics_name_everything(

@@ -10,12 +10,20 @@ import numpy as np
 import pytest
 
 from planar_planner.cli.report import headline, statistics
+from planar_planner.planning.outcome import DecidedBy, StopReason
 from planar_planner.planning.result import NoPath, PathFound, Undecided, make_result
 
 
 def answer(verdict: str, **stats: Any) -> dict[str, Any]:
     path = [[0, 0, 0], [1, 2, 7.5]] if verdict == "path" else np.empty((0, 3))
-    return {"verdict": verdict, "reason": "because", "path": path, "stats": stats}
+    decided_by = {"path": DecidedBy.CHANNEL, "no_path": DecidedBy.SEPARATION}.get(verdict)
+    return {
+        "verdict": verdict,
+        "stop_reason": StopReason.CELLS if verdict == "undecided" else None,
+        "ends_moved": False,
+        "path": path,
+        "stats": stats | {"decided_by": decided_by},
+    }
 
 
 @pytest.mark.parametrize(
@@ -36,9 +44,10 @@ def test_json_is_exactly_the_published_object() -> None:
         "version": 1,
         "scene": "s",
         "verdict": "path",
-        "reason": "because",
+        "reason": "certified through a channel of cells",
+        "stop_reason": None,
         "path": [[0.0, 0.0, 0.0], [1.0, 2.0, 7.5]],
-        "stats": {"cells": 3},
+        "stats": {"cells": 3, "decided_by": "channel"},
     }
     assert make_result("s", answer("no_path")).to_json()["path"] == []
 
@@ -58,6 +67,7 @@ def test_json_holds_plain_finite_values_only() -> None:
         "real": None,
         "levels": [1, 2],
         "nested": {"a": [1.5, None], "2": [True, None, "x"]},
+        "decided_by": None,
     }
 
 

@@ -19,6 +19,7 @@
 #include "build.hpp"
 #include "cells.hpp"
 #include "evidence.hpp"
+#include "outcome.hpp"
 #include "planar_planner/native/planning/planner.hpp"
 #include "state_check.hpp"
 
@@ -217,7 +218,8 @@ nb::dict solve(planner::Planner& planner, const std::array<double, 3>& start,
   constexpr std::array<const char*, 3> verdicts{"path", "no_path", "undecided"};
   nb::dict out;
   out["verdict"] = verdicts[static_cast<std::size_t>(answer.verdict)];
-  out["reason"] = answer.reason;
+  out["stop_reason"] = answer.stop_reason;
+  out["ends_moved"] = answer.ends_moved;
   out["path"] = path_array(answer.path.waypoints);
   out["stats"] = statistics_dict(answer);
   return out;
@@ -271,5 +273,6 @@ NB_MODULE(_core, m) {
       .def("cells", &bindings::cells)
       .def("bottleneck", &bindings::bottleneck);
   m.def("build_info", &bindings::build_info);
+  bindings::add_outcome(m);
   bindings::add_state_check(m);
 }

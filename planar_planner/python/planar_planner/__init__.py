@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from planar_planner.margins.find import margin
     from planar_planner.margins.result import Margin
     from planar_planner.planning.options import Options
+    from planar_planner.planning.outcome import DecidedBy, StopReason
     from planar_planner.planning.planner import Planner, solve
     from planar_planner.planning.result import NoPath, PathFound, Result, Undecided
     from planar_planner.scene.model import Scene
@@ -32,6 +33,7 @@ _HOMES = {
     "Bottleneck": "explain.thinnest_place",
     "Cells": "explain.cells",
     "CertificateError": "checker.form",
+    "DecidedBy": "planning.outcome",
     "Margin": "margins.result",
     "NoPath": "planning.result",
     "Options": "planning.options",
@@ -42,6 +44,7 @@ _HOMES = {
     "Result": "planning.result",
     "Scene": "scene.model",
     "SceneError": "errors",
+    "StopReason": "planning.outcome",
     "Undecided": "planning.result",
     "cells_of": "explain.cells",
     "cells_on_path": "explain.cells",
@@ -56,6 +59,7 @@ __all__ = [
     "Bottleneck",
     "Cells",
     "CertificateError",
+    "DecidedBy",
     "Margin",
     "NoPath",
     "Options",
@@ -66,6 +70,7 @@ __all__ = [
     "Result",
     "Scene",
     "SceneError",
+    "StopReason",
     "Undecided",
     "cells_of",
     "cells_on_path",

@@ -1,4 +1,5 @@
 from collections.abc import Callable, Sequence
+from enum import StrEnum
 from typing import Any
 
 import numpy as np
@@ -7,6 +8,37 @@ from numpy.typing import NDArray
 _PolygonArrays = tuple[NDArray[np.float64], NDArray[np.uint32], NDArray[np.uint32]]
 
 def build_info() -> dict[str, str]: ...
+
+class DecidedBy(StrEnum):
+    """What a path or its absence was shown by."""
+
+    STRAIGHT_MOVE = "straight move"
+    TWO_LEG_MOVE = "two-leg move"
+    DISC = "disc"
+    FIRST_TRY = "RRT-Connect"
+    CHANNEL = "channel"
+    RIDGE = "ridge"
+    SEPARATION = "separation"
+    START = "start"
+    GOAL = "goal"
+    def __str__(self) -> str: ...
+
+class StopReason(StrEnum):
+    """Why a query stayed undecided."""
+
+    RESOLUTION = "resolution"
+    CELLS = "cells"
+    MEMORY = "memory"
+    TIME = "time"
+    INTERRUPTED = "interrupted"
+    OUT_OF_MEMORY = "out of memory"
+    START_TOUCHES_OBSTACLE = "start touches obstacle"
+    START_TOUCHES_WORKSPACE = "start touches workspace"
+    GOAL_TOUCHES_OBSTACLE = "goal touches obstacle"
+    GOAL_TOUCHES_WORKSPACE = "goal touches workspace"
+    MOVED_ENDS = "moved ends"
+    LOST_CHANNEL = "lost channel"
+    def __str__(self) -> str: ...
 
 class Core:
     def __init__(

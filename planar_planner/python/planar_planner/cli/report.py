@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from planar_planner.errors import one_line
+from planar_planner.planning.outcome import StopReason
 
 if TYPE_CHECKING:
     from planar_planner.planning.result import Result
@@ -16,15 +17,20 @@ _HEADLINES = {
     "undecided": "undecided",
 }
 
-# What the core calls the limit, and how a user of the command line moves it.
-_HINTS = {
-    "resolution reached": "a smaller --resolution may decide it",
-    "cell limit reached": "a larger --max-cells may decide it",
-    "time limit reached": "a longer --timeout may decide it",
-    "memory limit reached": "a larger --max-memory may decide it",
-    "out of memory": "a --max-memory below what there is stops in time, and counts",
-    "contact tolerance": "--contact-tolerance LENGTH allows it",
+_ALLOW_CONTACT = "--contact-tolerance LENGTH allows it"
+
+HINTS: Mapping[StopReason, str] = {
+    StopReason.RESOLUTION: "a smaller --resolution may decide it",
+    StopReason.CELLS: "a larger --max-cells may decide it",
+    StopReason.MEMORY: "a larger --max-memory may decide it",
+    StopReason.TIME: "a longer --timeout may decide it",
+    StopReason.OUT_OF_MEMORY: "a --max-memory below what there is stops in time, and counts",
+    StopReason.START_TOUCHES_OBSTACLE: _ALLOW_CONTACT,
+    StopReason.START_TOUCHES_WORKSPACE: _ALLOW_CONTACT,
+    StopReason.GOAL_TOUCHES_OBSTACLE: _ALLOW_CONTACT,
+    StopReason.GOAL_TOUCHES_WORKSPACE: _ALLOW_CONTACT,
 }
+"""What a user of the command line can do about an undecided query; some reasons have no remedy."""
 
 
 def headline(result: Result, paint: Callable[[str], str] = str) -> str:
@@ -36,7 +42,7 @@ def headline(result: Result, paint: Callable[[str], str] = str) -> str:
 def statistics(result: Result) -> str:
     """Return what was done and what it took; a statistic that the core left out is left out."""
     stats = result.stats
-    if not stats:  # out of memory: nothing is left to count
+    if result.stop_reason is StopReason.OUT_OF_MEMORY:  # nothing is left to count
         return f"  {_hint_line(result)}"
     lines = [
         _hint_line(result),
@@ -50,9 +56,7 @@ def statistics(result: Result) -> str:
 
 
 def _hint_line(result: Result) -> str:
-    if result.verdict != "undecided":
-        return ""
-    return next((hint for limit, hint in _HINTS.items() if limit in result.reason), "")
+    return "" if result.stop_reason is None else HINTS.get(result.stop_reason, "")
 
 
 def _path_line(result: Result, stats: Mapping[str, Any]) -> str:

@@ -19,6 +19,7 @@ from planar_planner.load import load_scene
 from planar_planner.planning.certificate import make_certificate
 from planar_planner.planning.engine import Listener, ask, make_core
 from planar_planner.planning.options import Options
+from planar_planner.planning.outcome import STOPS, StopReason
 from planar_planner.planning.placement import check_placements
 from planar_planner.planning.result import Result, Undecided, make_result
 from planar_planner.problem.goal import GoalRegion
@@ -128,7 +129,8 @@ class Planner:
             try:
                 return self._answer(query, limits, listener, certificate)
             except MemoryError:
-                return Undecided(query.name, "out of memory", np.empty((0, 3)), {})
+                stop = StopReason.OUT_OF_MEMORY
+                return Undecided(query.name, STOPS[stop], np.empty((0, 3)), {}, stop_reason=stop)
 
     def cells(self) -> Cells:
         """Return the cells that the queries so far have left.

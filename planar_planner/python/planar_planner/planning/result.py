@@ -10,6 +10,8 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from planar_planner.planning.outcome import StopReason, sentence_of
+
 FORMAT = "planar-planner/result"
 VERSION = 1
 
@@ -23,8 +25,9 @@ class _Answer:
     scene : str
         Name of the scene.
     reason : str
-        What decided: for a path or its absence how it was found, for an undecided query the limit
-        that was reached.
+        What the verdict rests on, in words: for a path or its absence how it was found, for an
+        undecided query why it stayed so. Words may change: programs ask `stop_reason`, or
+        `stats["decided_by"]`.
     path : NDArray, shape (N, 3)
         Waypoints (x, y, theta), theta in radians and unwrapped; N = 0 without a path.
     stats : mapping
@@ -32,6 +35,8 @@ class _Answer:
     certificate : dict or None
         The evidence as a JSON object (docs/certificate.md), if it was asked for and the query is
         decided.
+    stop_reason : StopReason or None
+        Why an undecided query stayed so.
     """
 
     verdict: ClassVar[str]
@@ -40,6 +45,7 @@ class _Answer:
     path: NDArray[np.float64]
     stats: Mapping[str, Any]
     certificate: dict[str, Any] | None = None
+    stop_reason: StopReason | None = None
 
     def to_json(self) -> dict[str, Any]:
         """Return the result as a JSON object: plain, finite values only, others as null."""
@@ -49,6 +55,7 @@ class _Answer:
             "scene": self.scene,
             "verdict": self.verdict,
             "reason": self.reason,
+            "stop_reason": self.stop_reason,
             "path": self.path.tolist(),
             "stats": _plain(self.stats),
         }
@@ -86,7 +93,8 @@ def make_result(
     path = np.array(answer["path"], dtype=np.float64).reshape(-1, 3)
     path.setflags(write=False)
     kind = _VERDICTS[answer["verdict"]]
-    return kind(scene, str(answer["reason"]), path, dict(answer["stats"]), certificate)
+    reason, stats = sentence_of(answer), dict(answer["stats"])
+    return kind(scene, reason, path, stats, certificate, answer["stop_reason"])
 
 
 def _plain(value: Any) -> Any:
