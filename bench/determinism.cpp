@@ -125,14 +125,18 @@ std::uint64_t hash_of(planner::Planner& planner, const planner::Answer& answer) 
   hash.add(static_cast<std::uint64_t>(answer.verdict));
   hash.add(sentence(answer));
   if (s.decided_by) hash.add(std::string(planner::word(*s.decided_by)));
-  for (const std::uint64_t n :
-       {s.labelled_cells, s.separation_evaluations, s.pairs_touched, s.pairs_total, s.star_tests,
-        s.joint_cells, s.faces_tested, s.segments_tested, s.probe_checks, s.ridge_tries,
-        s.ridge_evaluations, s.search_rounds, s.search_expansions, s.search_rebuilds,
-        s.channel_length})
-    hash.add(n);
-  for (const std::uint64_t n : answer.cells_by_label) hash.add(n);
-  for (const std::uint64_t n : answer.cells_by_level) hash.add(n);
+#define HASH_Work(name) hash.add(s.name);
+#define HASH_Count(name)
+#define HASH_LabelCounts(name)
+#define HASH_LevelCounts(name)
+#define HASH_Bytes(name)
+#define HASH_Seconds(name)
+#define HASH_Real(name)
+#define HASH_Decision(name)
+#define HASH(type, name, adding, unit, meaning) HASH_##type(name)
+  PLANNER_STATISTICS(HASH)
+  for (const std::uint64_t n : s.cells_by_label.of) hash.add(n);
+  for (const std::uint64_t n : s.cells_by_level) hash.add(n);
   for (const double x : {answer.path.length, answer.path.turning, planner.least_clearance()})
     hash.add(x);
   for (const Configuration& q : answer.path.waypoints)

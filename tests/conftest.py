@@ -6,7 +6,6 @@ apart from the planner. Tests named ``*_end_to_end`` use the real core.
 
 from __future__ import annotations
 
-import copy
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -33,33 +32,23 @@ FREE = {
     "separation": 1.0,
 }
 
-STATS = {
-    "cells": 12,
-    "cells_by_label": {"free": 3, "star": 2, "full": 4, "mixed": 3},
-    "cells_by_level": [0, 0, 4, 8],
-    "labelled_cells": 20,
-    "separation_evaluations": 340,
-    "pairs_touched": 5,
-    "pairs_total": 9,
-    "faces_tested": 7,
-    "probe_checks": 0,
-    "ridge_tries": 0,
-    "ridge_evaluations": 0,
-    "search_rounds": 2,
-    "memory_bytes": 2048,
-    "seconds": {
-        "preprocessing": 0.001,
-        "labelling": 0.002,
-        "faces": 0.0005,
-        "search": 0.0001,
-        "path": 0.0,
-        "probe": 0.0,
-        "total": 0.0036,
-    },
-    "path_length": 2.5,
-    "waypoints": 2,
-    "decided_by": _core.DecidedBy.STRAIGHT_MOVE,
-}
+STATS = _core.Statistics(
+    cells=12,
+    cells_by_label={"free": 3, "star": 2, "full": 4, "mixed": 3},
+    cells_by_level=[0, 0, 4, 8],
+    labelled_cells=20,
+    separation_evaluations=340,
+    pairs_touched=5,
+    pairs_total=9,
+    faces_tested=7,
+    search_rounds=2,
+    memory_bytes=2048,
+    seconds=_core.Seconds(
+        preprocessing=0.001, labelling=0.002, faces=0.0005, search=0.0001, total=0.0036
+    ),
+    path_length=2.5,
+    waypoints=2,
+)
 
 DECIDED_BY = {
     "path": _core.DecidedBy.STRAIGHT_MOVE,
@@ -94,7 +83,7 @@ class FakeCore:
             "stop_reason": _core.StopReason.CELLS if self.verdict == "undecided" else None,
             "ends_moved": False,
             "path": path,
-            "stats": copy.deepcopy(STATS) | {"decided_by": DECIDED_BY[self.verdict]},
+            "stats": STATS.replace(decided_by=DECIDED_BY[self.verdict]),
         }
 
     def least_clearance(self) -> float:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from timing import Spread, repetitions
 
-from planar_planner import Options
+from planar_planner import Options, Statistics
 from planar_planner.planning.engine import ask, make_core
 from planar_planner.planning.outcome import sentence_of
 from planar_planner.problem.make import Problem
@@ -67,7 +66,7 @@ class Outcome:
     verdict: str
     reason: str
     seconds: Spread
-    stats: Mapping[str, Any]
+    stats: Statistics
 
     @property
     def decided(self) -> bool:
@@ -77,7 +76,7 @@ class Outcome:
     @property
     def work(self) -> int:
         """Return the labelled cells: what a part saves or costs, without clocks."""
-        return int(self.stats["labelled_cells"])
+        return self.stats.labelled_cells
 
 
 def outcome(problem: Problem, variant: Variant, limits: Options, budget: float) -> Outcome:

@@ -147,5 +147,5 @@ def answered(problem: Problem, name: str, limit: float) -> Run:
     answer = ask(make_core(problem, without, query), problem, options)
     cpu = time.thread_time() - began
     stats = answer["stats"]
-    seconds = float(stats["seconds"]["total"])
-    return Run(answer["verdict"], int(stats["cells"]), seconds, cpu, sentence_of(answer))
+    seconds = float(stats.seconds.total)
+    return Run(answer["verdict"], int(stats.cells), seconds, cpu, sentence_of(answer))

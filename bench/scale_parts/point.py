@@ -64,7 +64,7 @@ def here(family: str, value: float, timeout: float) -> dict[str, Any]:
         "loading": loading,
         "peak_bytes": KIB * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss,
         **{
-            key: stats[key]
+            key: getattr(stats, key)
             for key in ("cells", "labelled_cells", "separation_evaluations", "memory_bytes")
         },
     }

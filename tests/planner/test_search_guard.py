@@ -10,4 +10,4 @@ from planar_planner.scene.builtin import builtin_scenes
 
 @pytest.mark.parametrize("name", sorted(builtin_scenes()))
 def test_mended_trees_never_overlook_a_channel(name: str) -> None:
-    assert solve(load_scene(name)).stats["search_rebuilds"] == 0
+    assert solve(load_scene(name)).stats.search_rebuilds == 0

@@ -22,6 +22,7 @@
 #include "outcome.hpp"
 #include "planar_planner/native/planning/planner.hpp"
 #include "state_check.hpp"
+#include "statistics.hpp"
 
 namespace nb = nanobind;
 
@@ -132,51 +133,6 @@ nb::object path_array(const std::vector<Configuration>& path) {
   return nb::ndarray<nb::numpy, double, nb::ndim<2>>(raw, {path.size(), 3}, owner).cast();
 }
 
-nb::dict statistics_dict(const planner::Answer& answer) {
-  const planner::Statistics& s = answer.statistics;
-  nb::dict labels;
-  labels["free"] = answer.cells_by_label[0];
-  labels["star"] = answer.cells_by_label[1];
-  labels["full"] = answer.cells_by_label[2];
-  labels["mixed"] = answer.cells_by_label[3];
-  nb::dict seconds;
-  seconds["preprocessing"] = s.seconds.preprocessing;
-  seconds["labelling"] = s.seconds.labelling;
-  seconds["faces"] = s.seconds.faces;
-  seconds["probe"] = s.seconds.probe;
-  seconds["search"] = s.seconds.search;
-  seconds["path"] = s.seconds.path;
-  seconds["total"] = s.seconds.total;
-  nb::dict out;
-  std::uint64_t leaves = 0;
-  for (const std::uint64_t n : answer.cells_by_label) leaves += n;
-  out["cells"] = leaves;
-  out["cells_by_label"] = labels;
-  out["cells_by_level"] = answer.cells_by_level;
-  out["labelled_cells"] = s.labelled_cells;
-  out["separation_evaluations"] = s.separation_evaluations;
-  out["star_tests"] = s.star_tests;
-  out["joint_cells"] = s.joint_cells;
-  out["pairs_touched"] = s.pairs_touched;
-  out["pairs_total"] = s.pairs_total;
-  out["faces_tested"] = s.faces_tested;
-  out["segments_tested"] = s.segments_tested;
-  out["probe_checks"] = s.probe_checks;
-  out["ridge_tries"] = s.ridge_tries;
-  out["ridge_evaluations"] = s.ridge_evaluations;
-  out["search_rounds"] = s.search_rounds;
-  out["search_expansions"] = s.search_expansions;
-  out["search_rebuilds"] = s.search_rebuilds;
-  out["memory_bytes"] = s.memory_bytes;
-  out["constraint_bytes"] = s.constraint_bytes;
-  out["seconds"] = seconds;
-  out["path_length"] = answer.path.length;
-  out["path_turning"] = answer.path.turning;
-  out["waypoints"] = answer.path.waypoints.size();
-  out["decided_by"] = s.decided_by;
-  return out;
-}
-
 // Runs Python's signal handlers, then the caller's listener; false on Ctrl-C or on its wish.
 bool ask_python(const nb::object& listener, const planner::Progress& p) {
   const nb::gil_scoped_acquire acquire;
@@ -221,7 +177,7 @@ nb::dict solve(planner::Planner& planner, const std::array<double, 3>& start,
   out["stop_reason"] = answer.stop_reason;
   out["ends_moved"] = answer.ends_moved;
   out["path"] = path_array(answer.path.waypoints);
-  out["stats"] = statistics_dict(answer);
+  out["stats"] = answer.statistics;
   return out;
 }
 
@@ -274,5 +230,6 @@ NB_MODULE(_core, m) {
       .def("bottleneck", &bindings::bottleneck);
   m.def("build_info", &bindings::build_info);
   bindings::add_outcome(m);
+  bindings::add_statistics(m);
   bindings::add_state_check(m);
 }

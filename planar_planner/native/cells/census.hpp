@@ -1,12 +1,16 @@
 // Counts of the leaves, for answers and for who watches a search.
 #pragma once
 
-#include "planar_planner/native/search/query.hpp"
+#include "planar_planner/native/statistics.hpp"
 #include "subdivision.hpp"
 
 namespace planner {
 
-// Leaves by label and level.
-void take_census(const Subdivision& subdivision, Answer& answer);
+struct CellCounts {
+  LabelCounts by_label;
+  LevelCounts by_level;
+};
+
+CellCounts take_census(const Subdivision& subdivision);
 
 }  // namespace planner

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "planar_planner/native/cells/census.hpp"
 #include "planar_planner/native/guesses/goal_guesses.hpp"
 #include "planar_planner/native/guesses/rrt_connect.hpp"
 #include "planar_planner/native/search/goal_cells.hpp"
@@ -208,8 +209,6 @@ Answer Planner::ask_disc(Planner& disc, Query& query, const Goal& goal) {
     place = GoalSet{set->polygons, std::nullopt};
   Answer answer = disc.solve({query.start.x, query.start.y, 0.0}, place, limits, query.listener);
   statistics_ += answer.statistics;
-  query.answer.cells_by_label = answer.cells_by_label;
-  query.answer.cells_by_level = answer.cells_by_level;
   const bool tried_enough =
       limits.max_cells < query.limits.max_cells && answer.stopped_by == StopReason::kCells;
   if (answer.stopped_by && !tried_enough) {
@@ -276,14 +275,22 @@ void Planner::settle_lifted_ends(Query& query, const Configuration& start, const
 void Planner::complete_answer(Query& query) {
   Answer& answer = query.answer;
   statistics_.seconds.total = query.elapsed() + statistics_.seconds.preprocessing;
-  statistics_.pairs_total =
+  statistics_.pairs_total +=
       (tree_->piece_count() - tree_->wall_count() + tree_->untouched_polygons()) *
       problem_.robot.body_pieces();
-  statistics_.pairs_touched = labeller_->pairs_touched();
+  statistics_.pairs_touched += labeller_->pairs_touched();
   statistics_.decided_by = answer.statistics.decided_by;
+  statistics_.path_length = answer.path.length;
+  statistics_.path_turning = answer.path.turning;
+  statistics_.waypoints = answer.path.waypoints.size();
+  if (subdivision_) {
+    CellCounts counts = take_census(*subdivision_);
+    statistics_.cells = subdivision_->size();
+    statistics_.cells_by_label = counts.by_label;
+    statistics_.cells_by_level = std::move(counts.by_level);
+  }
   answer.statistics = statistics_;
   answer.stopped_by = query.stopped_by;
-  if (subdivision_) take_census(*subdivision_, answer);
 }
 
 void Planner::remember(const Query& query, const Configuration& start, const Goal& goal) {

@@ -1,12 +1,9 @@
 // One query while it is being answered: its ends, limits and answer so far.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "planar_planner/native/configurations/goal_region.hpp"
 #include "planar_planner/native/limits.hpp"
@@ -24,8 +21,6 @@ struct Answer {
   bool ends_moved = false;                // off a contact, within the contact tolerance
   PathReport path;                        // kPath
   Statistics statistics;
-  std::array<std::uint64_t, 4> cells_by_label{};  // indexed by Label
-  std::vector<std::uint64_t> cells_by_level;      // by the sum of the three axes' levels
 };
 
 struct Query {

@@ -295,9 +295,7 @@ bool Refinement::stop() {
   if (elapsed >= limits.timeout) return reached(StopReason::kTime);
   if (!query_.listener || elapsed - query_.last_call < kListenerPeriod) return false;
   query_.last_call = elapsed;
-  Answer census;
-  take_census(subdivision_, census);
-  const auto& n = census.cells_by_label;
+  const std::array<Count, 4> n = take_census(subdivision_).by_label.of;
   const Progress progress{elapsed,
                           subdivision_.size(),
                           n[0],

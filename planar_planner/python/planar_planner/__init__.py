@@ -24,7 +24,14 @@ if TYPE_CHECKING:
     from planar_planner.planning.options import Options
     from planar_planner.planning.outcome import DecidedBy, StopReason
     from planar_planner.planning.planner import Planner, solve
-    from planar_planner.planning.result import NoPath, PathFound, Result, Undecided
+    from planar_planner.planning.result import (
+        NoPath,
+        PathFound,
+        Result,
+        Seconds,
+        Statistics,
+        Undecided,
+    )
     from planar_planner.scene.model import Scene
 
     __version__: str
@@ -44,6 +51,8 @@ _HOMES = {
     "Result": "planning.result",
     "Scene": "scene.model",
     "SceneError": "errors",
+    "Seconds": "planning.result",
+    "Statistics": "planning.result",
     "StopReason": "planning.outcome",
     "Undecided": "planning.result",
     "cells_of": "explain.cells",
@@ -70,6 +79,8 @@ __all__ = [
     "Result",
     "Scene",
     "SceneError",
+    "Seconds",
+    "Statistics",
     "StopReason",
     "Undecided",
     "cells_of",

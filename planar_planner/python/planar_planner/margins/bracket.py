@@ -181,13 +181,13 @@ class Search:
         limits = replace(self._options, timeout=max(SHARE * left, 1e-3), contact_tolerance=0.0)
         answer = ask(core, replace(self._problem, robot=body.polygons), limits, self._listener)
         bracket.counts["queries"] += 1
-        bracket.counts["cells"] += answer["stats"]["cells"]
+        bracket.counts["cells"] += answer["stats"].cells
         if answer["verdict"] == "path":
             clearance = core.least_clearance() if self._reuse else 0.0
             raised = self._family.raised(body, clearance)
             _accept(bracket, max(raised, body.inner), np.array(answer["path"]), body)
         elif answer["verdict"] == "no_path":
-            by = answer["stats"]["decided_by"]
+            by = answer["stats"].decided_by
             bracket.upper, bracket.upper_body = body.outer, body
             bracket.binding = BINDINGS.get(by, "way")
         else:

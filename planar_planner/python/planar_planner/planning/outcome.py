@@ -12,8 +12,8 @@ __all__ = ["DecidedBy", "StopReason", "sentence", "sentence_of"]
 PATHS: Mapping[DecidedBy, str] = {
     DecidedBy.STRAIGHT_MOVE: "certified straight move",
     DecidedBy.TWO_LEG_MOVE: "certified two-leg move",
-    DecidedBy.DISC: "certified path of a disc around the robot",
-    DecidedBy.FIRST_TRY: "certified path found by RRT-Connect",
+    DecidedBy.DISC: "certified for a disc around the robot",
+    DecidedBy.FIRST_TRY: "certified after a guess by RRT-Connect",
     DecidedBy.CHANNEL: "certified through a channel of cells",
     DecidedBy.RIDGE: "certified along the ridge of the clearance",
 }
@@ -86,7 +86,7 @@ def sentence_of(answer: Mapping[str, Any]) -> str:
     """Return `sentence` for the core's answer (`planar_planner.planning.engine.ask`)."""
     return sentence(
         answer["verdict"],
-        answer["stats"]["decided_by"],
+        answer["stats"].decided_by,
         answer["stop_reason"],
         ends_moved=answer["ends_moved"],
     )

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_planner._core import Core
+from planar_planner._core import Core, Statistics
 from planar_planner.errors import SceneError
 from planar_planner.explain.cells import Cells, make_cells
 from planar_planner.explain.thinnest_place import Bottleneck, make_bottleneck
@@ -130,7 +130,9 @@ class Planner:
                 return self._answer(query, limits, listener, certificate)
             except MemoryError:
                 stop = StopReason.OUT_OF_MEMORY
-                return Undecided(query.name, STOPS[stop], np.empty((0, 3)), {}, stop_reason=stop)
+                return Undecided(
+                    query.name, STOPS[stop], np.empty((0, 3)), Statistics(), stop_reason=stop
+                )
 
     def cells(self) -> Cells:
         """Return the cells that the queries so far have left.
@@ -205,7 +207,7 @@ class Planner:
             self._core = core
             raise
         answer = ask(core, query, limits, listener)
-        answer["stats"]["least_clearance"] = core.least_clearance()
+        answer["stats"] = answer["stats"].replace(least_clearance=core.least_clearance())
         evidence = core.evidence() if certificate else None
         self._core = core
         if evidence is None:

@@ -10,7 +10,10 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from planar_planner._core import Seconds, Statistics
 from planar_planner.planning.outcome import StopReason, sentence_of
+
+__all__ = ["NoPath", "PathFound", "Result", "Seconds", "Statistics", "Undecided", "make_result"]
 
 FORMAT = "planar-planner/result"
 VERSION = 1
@@ -27,11 +30,11 @@ class _Answer:
     reason : str
         What the verdict rests on, in words: for a path or its absence how it was found, for an
         undecided query why it stayed so. Words may change: programs ask `stop_reason`, or
-        `stats["decided_by"]`.
+        `stats.decided_by`.
     path : NDArray, shape (N, 3)
         Waypoints (x, y, theta), theta in radians and unwrapped; N = 0 without a path.
-    stats : mapping
-        Counts and times; the keys are listed in docs/method.md.
+    stats : Statistics
+        Counts and times; all zero if the query ran out of memory.
     certificate : dict or None
         The evidence as a JSON object (docs/certificate.md), if it was asked for and the query is
         decided.
@@ -43,7 +46,7 @@ class _Answer:
     scene: str
     reason: str
     path: NDArray[np.float64]
-    stats: Mapping[str, Any]
+    stats: Statistics
     certificate: dict[str, Any] | None = None
     stop_reason: StopReason | None = None
 
@@ -57,7 +60,7 @@ class _Answer:
             "reason": self.reason,
             "stop_reason": self.stop_reason,
             "path": self.path.tolist(),
-            "stats": _plain(self.stats),
+            "stats": _plain(self.stats.to_dict()),
         }
 
 
@@ -93,8 +96,8 @@ def make_result(
     path = np.array(answer["path"], dtype=np.float64).reshape(-1, 3)
     path.setflags(write=False)
     kind = _VERDICTS[answer["verdict"]]
-    reason, stats = sentence_of(answer), dict(answer["stats"])
-    return kind(scene, reason, path, stats, certificate, answer["stop_reason"])
+    reason = sentence_of(answer)
+    return kind(scene, reason, path, answer["stats"], certificate, answer["stop_reason"])
 
 
 def _plain(value: Any) -> Any:
