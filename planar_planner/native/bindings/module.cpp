@@ -230,6 +230,13 @@ NB_MODULE(_core, m) {
       .def("bottleneck", &bindings::bottleneck);
   m.def("build_info", &bindings::build_info);
   bindings::add_outcome(m);
+  nb::class_<planner::Limits>(m, "Limits", "The default limits of a query.")
+      .def(nb::init<>())
+      .def_ro("resolution", &planner::Limits::resolution)
+      .def_ro("max_cells", &planner::Limits::max_cells)
+      .def_ro("timeout", &planner::Limits::timeout)
+      .def_ro("max_memory", &planner::Limits::max_memory)
+      .def_ro("contact_tolerance", &planner::Limits::contact_tolerance);
   bindings::add_statistics(m);
   bindings::add_state_check(m);
 }
