@@ -84,23 +84,39 @@ planner::Scene scene_of(const PolygonArrays& robot, const PolygonArrays& obstacl
   return scene;
 }
 
-// The names of planner::Parts, for benchmarks; empty: the planner as it is.
+[[noreturn]] void refuse(const char* what, const std::string& name, const std::string& known) {
+  throw nb::value_error(
+      ("there is no " + std::string(what) + " " + name + "; known are" + known).c_str());
+}
+
+void leave_out(planner::Parts& parts, const std::string& part) {
+#define PLANNER_LEAVE_OUT(name) \
+  if (part == #name) {          \
+    parts.name = false;         \
+    return;                     \
+  }
+#define PLANNER_KNOWN(name) " " #name
+  PLANNER_PARTS(PLANNER_LEAVE_OUT)
+  refuse("part", part, PLANNER_PARTS(PLANNER_KNOWN));
+#undef PLANNER_LEAVE_OUT
+#undef PLANNER_KNOWN
+}
+
+planner::CullingQuery query_of(const std::string& query) {
+#define PLANNER_RETURN(enumerator, name) \
+  if (query == name) return planner::CullingQuery::enumerator;
+#define PLANNER_KNOWN(enumerator, name) " " name
+  PLANNER_CULLING_QUERIES(PLANNER_RETURN)
+  refuse("query", query, PLANNER_CULLING_QUERIES(PLANNER_KNOWN));
+#undef PLANNER_RETURN
+#undef PLANNER_KNOWN
+}
+
+// Without some parts, for benchmarks.
 planner::Parts parts_of(const std::vector<std::string>& without, const std::string& query) {
   planner::Parts parts;
-  for (const std::string& part : without) {
-    if (part == "star") parts.star = false;
-    if (part == "joint") parts.joint = false;
-    if (part == "guided") parts.guided = false;
-    if (part == "incremental") parts.incremental = false;
-    if (part == "hierarchy") parts.hierarchy = false;
-    if (part == "partition") parts.partition = false;
-    if (part == "cheap") parts.cheap = false;
-    if (part == "probe") parts.probe = false;
-    if (part == "ridge") parts.ridge = false;
-  }
-  if (query == "none") parts.query = planner::CullingQuery::kNone;
-  if (query == "published") parts.query = planner::CullingQuery::kPublished;
-  if (query == "displacement") parts.query = planner::CullingQuery::kDisplacement;
+  for (const std::string& part : without) leave_out(parts, part);
+  parts.query = query_of(query);
   return parts;
 }
 
