@@ -3,7 +3,7 @@
 ``python bench/physics.py`` replays the path of every scene that has one, and pushes four robots for
 twenty simulated seconds in every scene that has none. It asks Chipmunk about pairs of small integer
 polygons, too, many of which touch exactly, and compares with ``pdg``, and about random
-configurations in all scenes, and compares with the planner. It fails if a path is not witnessed, a
+configurations in all scenes, and compares with the planner. It fails if a path is not confirmed, a
 robot reaches its goal, or answers differ, and writes ``bench/results/physics_*.csv``.
 """
 
@@ -15,11 +15,10 @@ import time
 from collections import Counter
 
 import numpy as np
-import provenance
 from scipy.spatial import ConvexHull, QhullError
-from shipped import with_point_goals
 
 import pdg
+from lib import provenance
 from planar_planner import load_scene, solve
 from planar_planner.physics import push, replay
 from planar_planner.physics.contacts import reported, touched
@@ -27,6 +26,7 @@ from planar_planner.physics.replay import outside, problem_of
 from planar_planner.physics.world import engine_name, make_world, rounding
 from planar_planner.planning.engine import make_core
 from planar_planner.problem.make import ends
+from worlds.shipped import with_point_goals
 
 SECONDS, TRIES, SEED = 20.0, 4, 0
 PAIRS, PLACES = 400, 150
@@ -36,7 +36,7 @@ QUARTERS = (0.0, math.pi / 2, math.pi, -math.pi / 2)
 
 
 def replays() -> tuple[list[list[object]], list[str]]:
-    """Return a row for each scene with a path, and the scenes whose path is not witnessed."""
+    """Return a row for each scene with a path, and the scenes whose path is not confirmed."""
     rows: list[list[object]] = []
     failed = []
     for name, entry in with_point_goals().items():
@@ -60,8 +60,8 @@ def replays() -> tuple[list[list[object]], list[str]]:
             ]
         )
         print(*rows[-1], flush=True)
-        if not found.witnessed:
-            failed.append(f"{name}: not witnessed")
+        if not found.confirmed:
+            failed.append(f"{name}: not confirmed")
     return rows, failed
 
 

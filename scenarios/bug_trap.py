@@ -1,4 +1,4 @@
-"""Bug-trap family: out of a chamber whose only opening is a funnel that narrows inwards."""
+"""Bug-trap family: a robot leaves a chamber whose only opening is a funnel that narrows inwards."""
 
 from scenarios.model import Ring, Scene, box, mirrored_in_x_axis, polygon, scene
 

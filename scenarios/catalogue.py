@@ -1,4 +1,4 @@
-"""The scenes that are shipped: which generator makes them, and what the planner must answer."""
+"""The shipped scenes: the generator of each, and the verdict that the planner must give."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,8 +1,8 @@
 """Corner family: a rectangle round a right-angled corner between two corridors of unit width.
 
-A rectangle of length l and width w <= 1 passes exactly when l <= 2 (sqrt(2) - w) (or l <= 1:
-then it need not turn). At 45 degrees its outer side cuts a triangle of height l / 2 off the outer
-corner, which leaves sqrt(2) - l / 2 to the inner corner for its width.
+A rectangle of length l and width w <= 1 passes exactly when l <= 2 (sqrt(2) - w) (or l <= 1,
+because it then need not turn). At 45 degrees its outer side cuts a triangle of height l / 2 off the
+outer corner, which leaves sqrt(2) - l / 2 to the inner corner for its width.
 """
 
 import math

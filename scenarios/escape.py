@@ -1,8 +1,8 @@
-"""Escape families: a round body in a cage with a mouth, and a hook in a housing to be taken out."""
+"""Escape families: a round body in a cage with a mouth, and a hook that has to leave a housing."""
 
 from scenarios.model import Geometry, Scene, box, polygon, regular_ring, scene
 
-# A convex body passes a gap if and only if that is at least as wide as the body is between some two
+# A convex body passes a gap if and only if the gap is at least as wide as the body between some two
 # parallel lines: for the regular 16-gon about a circle of radius 1, cos(pi / 16) 2 = 1.9616.
 OPEN_MOUTH = 2.0
 CAGING_MOUTH = 1.9

@@ -32,7 +32,7 @@ WALL_OVERLAP = 0.1  # how far the fixed gears reach through the walls: no way ro
 def gear_ring(
     teeth: int, tip_radius: float, centre: Point = (0.0, 0.0), phase: float = 0.0
 ) -> Ring:
-    """Outline of a gear with trapezoidal teeth, four vertices a tooth, anticlockwise.
+    """Outline of a gear with trapezoidal teeth, four vertices per tooth, anticlockwise.
 
     Parameters
     ----------

@@ -18,7 +18,7 @@ def _lines(items: list[Any]) -> str:
 
 
 def scene_text(made: Scene) -> str:
-    """Return the file of a scene: a key a line, an obstacle a line, shortest exact numbers."""
+    """Return the file of a scene: one key or obstacle per line, numbers in shortest exact form."""
     obstacles = _lines(made["obstacles"])
     fields = [
         f"  {json.dumps(key)}: {obstacles if key == 'obstacles' else json.dumps(value)}"
@@ -28,7 +28,7 @@ def scene_text(made: Scene) -> str:
 
 
 def manifest() -> dict[str, Any]:
-    """Return the manifest: an entry a scene, with what the planner must answer."""
+    """Return the manifest: one entry per scene, with the expected verdict."""
     return {
         "format": "planar-planner/manifest",
         "version": 1,

@@ -1,8 +1,8 @@
-"""Piano family: a grand piano, seen from above, through a door and round into a corridor."""
+"""Piano family: a grand piano, seen from above, passes a door and turns into a corridor."""
 
 from scenarios.model import Ring, Scene, box, polygon, scene
 
-# The critical door is the piano's width: by the planner, no path at 1.499, a path at 1.501.
+# The critical width of the door is the piano's: the planner finds no path at 1.499, one at 1.501.
 PATH_DOOR = 1.62
 JAMMED_DOOR = 1.35
 
@@ -58,7 +58,7 @@ def piano(door: float = PATH_DOOR, name: str = "piano") -> Scene:
 
 
 def piano_anywhere() -> Scene:
-    """Piano scene with a goal that is a place, not a spot: upright, at the corridor's end."""
+    """Piano scene with a goal region: upright, anywhere at the corridor's end."""
     made = piano(name="piano-anywhere")
     made["description"] = "The same piano, anywhere at the corridor's end, its keyboard to the end."
     low, high = ROOM + WALL, ROOM + WALL + CORRIDOR

@@ -1,9 +1,9 @@
-"""Slot family: a T-shaped part out of a T-slot with a neck narrower than its head."""
+"""Slot family: a T-shaped part leaves a T-slot whose neck is narrower than the part's head."""
 
 from scenarios.model import Ring, Scene, polygon, scene
 
-# The critical neck is BAR + STEM = 1.25, the part's width with its bar upright: by the planner, no
-# path at 1.249, a path at 1.251.
+# The critical neck is BAR + STEM = 1.25, the part's width with its bar upright: the planner finds
+# no path at 1.249, and one at 1.251.
 PATH_NECK = 1.4
 JAMMED_NECK = 1.1
 

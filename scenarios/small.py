@@ -93,7 +93,7 @@ def courtyard() -> Scene:
 
 
 def fence() -> Scene:
-    """Return a scene in OMPL's habit: only the reference point is kept inside bounds."""
+    """Return a scene with bounds as in OMPL: they apply to the reference point only."""
     return scene(
         "fence",
         "The reference point is bounded, the body may stick out: a path round a fence.",

@@ -1,4 +1,4 @@
-"""Snowflake family: a six-armed robot of 24 vertices through a gate narrower than itself."""
+"""Snowflake family: a six-armed robot of 24 vertices passes a gate narrower than itself."""
 
 import math
 

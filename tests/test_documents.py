@@ -1,4 +1,4 @@
-"""README.md and docs/ agree with the rest: links, statistics, map of files, navigation."""
+"""README.md and docs/ agree with the rest: links, statistics, navigation."""
 
 from __future__ import annotations
 
@@ -60,10 +60,12 @@ def test_statistics_are_documented_as_the_core_lists_them() -> None:
     )
 
 
-def test_every_native_file_is_on_the_map() -> None:
+def test_every_room_is_on_the_map() -> None:
     method = (ROOT / "docs" / "method.md").read_text(encoding="utf-8")
     section = method.partition("## Where things are")[2].partition("\n## ")[0]
-    named = set(re.findall(r"`(\w+)\.(?:\*|hpp)`", section))
+    named = set(re.findall(r"`([\w/]+)/`", section))
     for package in ("pdg", "planar_planner"):
-        for source in (ROOT / package / "native").glob("*.cpp"):
-            assert source.stem in named or source.stem == "bindings", source.name
+        for root in (ROOT / package / "native", ROOT / package / "python" / package):
+            sources = [path for path in root.rglob("*") if path.suffix in (".py", ".hpp")]
+            rooms = {path.parent.relative_to(root).as_posix() for path in sources} - {"."}
+            assert rooms and rooms <= named, root

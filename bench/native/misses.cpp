@@ -29,9 +29,10 @@ void open_all(World& world, const Seen& seen, planner::ConstraintList& out) {
 }
 
 bool was_open(World& world, const Seen& seen, const planner::PairHeader& pair) {
-  const pdg::PosedRobot& posed = world.labeller.posed(rotation_of(world.space, seen.visit.box));
-  world.labeller.label(motion_of(world.space, seen.visit.box), posed, view(*seen.visit.parent),
-                       world.list);
+  planner::PosedRobot& posed = world.posed_at(rotation_of(world.space, seen.visit.box));
+  world.list =
+      world.labeller.label(motion_of(world.space, seen.visit.box), posed, view(*seen.visit.parent))
+          .undecided;
   for (const planner::PairHeader& header : world.list.pairs)
     if (header.obstacle == pair.obstacle && header.robot == pair.robot) return !closed(header);
   return false;

@@ -34,9 +34,9 @@ enum class Adding : std::uint8_t { kSum, kMost, kLatest, kOwn };
   X(labelling, kSum, "Splitting cells and labelling the halves.")                           \
   X(faces, kSum, "Testing faces between solid cells.")                                      \
   X(probe, kSum, "Growing the random trees of the first try.")                              \
-  X(search, kSum, "Finding channels, and mending the search after splits.")                 \
+  X(search, kSum, "Finding channels, and repairing the search after splits.")               \
   X(path, kSum, "Guessing along ridges, and certifying paths.")                             \
-  X(total, kOwn, "The whole query with its preprocessing; what is on no clock is the rest.")
+  X(total, kOwn, "The whole query with its preprocessing, and what no other clock measures.")
 
 // X(type, name, adding, unit, meaning)
 #define PLANNER_STATISTICS(X)                                                                      \
@@ -46,35 +46,36 @@ enum class Adding : std::uint8_t { kSum, kMost, kLatest, kOwn };
     "Leaves by level: entry k is those after k halvings, all axes together.")                      \
   X(Work, labelled_cells, kSum, "", "Cells labelled in this query, inner ones included.")          \
   X(Work, separation_evaluations, kSum, "",                                                        \
-    "Separating-axis functions whose range was computed: for cells, faces and segments.")          \
+    "Separating-axis functions whose range was computed, for cells, faces and segments.")          \
   X(Work, pairs_touched, kSum, "",                                                                 \
-    "Pairs of a robot and an obstacle piece that were looked at since the planner was made.")      \
+    "Pairs of a robot piece and an obstacle piece that were examined since the planner was made.") \
   X(Work, pairs_total, kSum, "",                                                                   \
     "All such pairs; an obstacle that was never split into pieces counts as one piece.")           \
-  X(Work, star_tests, kSum, "", "MIXED cells that the star test looked at.")                       \
-  X(Work, joint_cells, kSum, "", "Cells FULL by several pairs together.")                          \
+  X(Work, star_tests, kSum, "", "MIXED cells to which the star test was applied.")                 \
+  X(Work, joint_cells, kSum, "", "Cells that are FULL by several pairs together.")                 \
   X(Work, faces_tested, kSum, "", "Shared faces that were labelled.")                              \
   X(Work, segments_tested, kSum, "", "Straight motions whose certification was tried.")            \
-  X(Work, probe_checks, kSum, "", "Configurations that the first try asked about.")                \
+  X(Work, probe_checks, kSum, "", "Configurations that the first try checked for collision.")      \
   X(Work, ridge_tries, kSum, "", "Paths guessed along the ridge of the clearance.")                \
   X(Work, ridge_evaluations, kSum, "",                                                             \
     "Separating-axis functions evaluated at single configurations for those paths; they are not "  \
     "in "                                                                                          \
     "`separation_evaluations`.")                                                                   \
-  X(Work, search_rounds, kSum, "", "Channels looked for.")                                         \
-  X(Work, search_expansions, kSum, "", "Steps of the search: leaves settled or mended.")           \
+  X(Work, search_rounds, kSum, "", "Searches for a channel.")                                      \
+  X(Work, search_expansions, kSum, "", "Steps of the search: leaves settled or repaired.")         \
   X(Work, search_rebuilds, kSum, "",                                                               \
-    "Times that the mended trees missed a channel that a flood fill found: a defect, expected 0.") \
+    "Times that the repaired trees missed a channel that a flood fill found; a count above 0 is "  \
+    "a defect.")                                                                                   \
   X(Work, channel_length, kOwn, "", "Cells of the last channel of the robot itself.")              \
-  X(Bytes, memory_bytes, kMost, "bytes", "Subdivision, constraints and search.")                   \
+  X(Bytes, memory_bytes, kMost, "bytes", "Memory of subdivision, constraints and search.")         \
   X(Bytes, constraint_bytes, kMost, "bytes", "The constraints' part of `memory_bytes`.")           \
   X(Seconds, seconds, kSum, "seconds", "Times, by what was done.")                                 \
-  X(Real, path_length, kOwn, "scene's length", "Length of the reference point's way.")             \
+  X(Real, path_length, kOwn, "scene's length", "Length of the reference point's path.")            \
   X(Real, path_turning, kOwn, "radians", "Sum of the absolute changes of theta along the path.")   \
   X(Real, least_clearance, kOwn, "scene's length",                                                 \
-    "Certified lower bound along the path, infinite if nothing is near; it is computed after the " \
-    "answer, on no clock.")                                                                        \
-  X(Count, waypoints, kOwn, "", "Waypoints of the path.")                                          \
+    "Certified lower bound of the clearance along the path, infinite if nothing is near; it is "   \
+    "computed after the answer, and no clock measures it.")                                        \
+  X(Count, waypoints, kOwn, "", "Number of the path's waypoints.")                                 \
   X(Decision, decided_by, kOwn, "",                                                                \
     "What a path or its absence was shown by (`DecidedBy`); None if the query is undecided.")
 

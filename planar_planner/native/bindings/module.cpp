@@ -23,6 +23,7 @@
 #include "planar_planner/native/planning/planner.hpp"
 #include "state_check.hpp"
 #include "statistics.hpp"
+#include "wall.hpp"
 
 namespace nb = nanobind;
 
@@ -215,6 +216,7 @@ nb::dict check_path(planner::Planner& planner, const Path& path) {
 
 NB_MODULE(_core, m) {
   m.doc() = "Native core of planar_planner; see planar_planner.planner for the public interface.";
+  bindings::add_evidence(m);
   nb::class_<planner::Planner>(m, "Core")
       .def(
           "__init__",
@@ -243,7 +245,8 @@ NB_MODULE(_core, m) {
            nb::call_guard<nb::gil_scoped_release>())
       .def("evidence", &bindings::evidence)
       .def("cells", &bindings::cells)
-      .def("bottleneck", &bindings::bottleneck);
+      .def("bottleneck", &bindings::bottleneck)
+      .def("wall", &bindings::wall, nb::arg("theta"));
   m.def("build_info", &bindings::build_info);
   bindings::add_outcome(m);
   nb::class_<planner::Limits>(m, "Limits", "The default limits of a query.")

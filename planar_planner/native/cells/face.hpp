@@ -1,5 +1,5 @@
-// Links between adjacent solid cells (design: "Faces and connectors"). A face is a cell with one
-// half-extent zero; the same labelling decides it, recursively.
+// Links between adjacent solid cells (docs/method.md, "Links"). A face is a cell
+// with one half-extent zero; the same classification decides it, recursively.
 #pragma once
 
 #include <cstdint>
@@ -34,8 +34,7 @@ class FaceTest {
       : subdivision_(subdivision),
         labeller_(labeller),
         statistics_(statistics),
-        star_(labeller.robot(), labeller.tree()),
-        joint_(labeller.robot(), labeller.tree()) {}
+        posed_(labeller.robot()) {}
 
   // Both cells are solid leaves that share a face. Open links are remembered.
   Link test(CellId a, CellId b);
@@ -53,8 +52,8 @@ class FaceTest {
   const Subdivision& subdivision_;
   Labeller& labeller_;
   Statistics& statistics_;
-  StarTest star_;
-  JointTest joint_;
+  PosedRobot posed_;
+  Scratch scratch_;
   std::unordered_map<std::uint64_t, Connector> open_;
   std::vector<FullClaim> blocked_;
 };

@@ -12,15 +12,23 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from planar_planner.checker.case import Rejected
-    from planar_planner.checker.form import CertificateError
-    from planar_planner.checker.verify import verify_certificate
-    from planar_planner.errors import OptionsError, SceneError
-    from planar_planner.explain.cells import Cells, cells_of, cells_on_path, theta_slice
+    from planar_planner.checker.verify import Verification, verify_certificate
+    from planar_planner.errors import (
+        CertificateError,
+        CertificateRejected,
+        OptionsError,
+        OutputError,
+        PlannerError,
+        SceneError,
+    )
+    from planar_planner.explain.cells import Cells, cells_on_path, theta_slice
     from planar_planner.explain.thinnest_place import Bottleneck
+    from planar_planner.formats.parts import ImportOptions
     from planar_planner.load import load_scene
     from planar_planner.margins.find import margin
-    from planar_planner.margins.result import Margin
+    from planar_planner.margins.result import Margin, NarrowPlace
+    from planar_planner.margins.surroundings import NearestPoints
+    from planar_planner.planning.engine import Listener
     from planar_planner.planning.options import Options
     from planar_planner.planning.outcome import DecidedBy, StopReason
     from planar_planner.planning.planner import Planner, solve
@@ -32,6 +40,7 @@ if TYPE_CHECKING:
         Statistics,
         Undecided,
     )
+    from planar_planner.scene.goal_forms import Escape, GoalRegion
     from planar_planner.scene.model import Scene
 
     __version__: str
@@ -39,15 +48,23 @@ if TYPE_CHECKING:
 _HOMES = {
     "Bottleneck": "explain.thinnest_place",
     "Cells": "explain.cells",
-    "CertificateError": "checker.form",
+    "CertificateError": "errors",
+    "CertificateRejected": "errors",
     "DecidedBy": "planning.outcome",
+    "Escape": "scene.goal_forms",
+    "GoalRegion": "scene.goal_forms",
+    "ImportOptions": "formats.parts",
+    "Listener": "planning.engine",
     "Margin": "margins.result",
+    "NarrowPlace": "margins.result",
+    "NearestPoints": "margins.surroundings",
     "NoPath": "planning.result",
     "Options": "planning.options",
     "OptionsError": "errors",
+    "OutputError": "errors",
     "PathFound": "planning.result",
     "Planner": "planning.planner",
-    "Rejected": "checker.case",
+    "PlannerError": "errors",
     "Result": "planning.result",
     "Scene": "scene.model",
     "SceneError": "errors",
@@ -55,7 +72,7 @@ _HOMES = {
     "Statistics": "planning.result",
     "StopReason": "planning.outcome",
     "Undecided": "planning.result",
-    "cells_of": "explain.cells",
+    "Verification": "checker.verify",
     "cells_on_path": "explain.cells",
     "load_scene": "load",
     "margin": "margins.find",
@@ -68,14 +85,22 @@ __all__ = [
     "Bottleneck",
     "Cells",
     "CertificateError",
+    "CertificateRejected",
     "DecidedBy",
+    "Escape",
+    "GoalRegion",
+    "ImportOptions",
+    "Listener",
     "Margin",
+    "NarrowPlace",
+    "NearestPoints",
     "NoPath",
     "Options",
     "OptionsError",
+    "OutputError",
     "PathFound",
     "Planner",
-    "Rejected",
+    "PlannerError",
     "Result",
     "Scene",
     "SceneError",
@@ -83,7 +108,7 @@ __all__ = [
     "Statistics",
     "StopReason",
     "Undecided",
-    "cells_of",
+    "Verification",
     "cells_on_path",
     "load_scene",
     "margin",
@@ -96,9 +121,9 @@ __all__ = [
 def __getattr__(name: str) -> Any:
     """Import a public name on first use, so that the command line starts without numpy."""
     if name == "__version__":
-        from importlib.metadata import version
+        from planar_planner.version import package_version
 
-        globals()[name] = version("planar-planner")
+        globals()[name] = package_version()
         return globals()[name]
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "exact.hpp"
 #include "generate.hpp"
 #include "planar_planner/native/labels/label.hpp"
 #include "planar_planner/native/world/problem.hpp"
+#include "truth/exact.hpp"
 
 namespace rounding {
 
@@ -18,10 +18,17 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
+  // The robot at a rotation, until the next call.
+  planner::PosedRobot& posed_at(const pdg::Rotation rotation) {
+    posed.turn_to(rotation);
+    return posed;
+  }
+
   planner::Problem problem;
   planner::ObstacleTree tree;
   planner::Statistics statistics;
   planner::Labeller labeller;
+  planner::PosedRobot posed;
   planner::CellSpace space;
 
   std::vector<exact::Piece> robot;  // the hull is the last

@@ -1,4 +1,4 @@
-"""Every command that takes a scene takes files in outside formats."""
+"""Every command that takes a scene takes files in other formats."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def test_notes_are_silent_when_asked(file: Path, capsys: pytest.CaptureFixture[s
     assert main(["solve", str(file), "--quiet"]) == 0
     assert capsys.readouterr().err == ""
     assert main(["solve", str(file)]) == 0
-    assert "bounds nothing" in capsys.readouterr().err
+    assert "states no bounds" in capsys.readouterr().err
 
 
 def test_convert_tells_what_it_wrote(

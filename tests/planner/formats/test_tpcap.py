@@ -7,26 +7,11 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from format_help import convert, read
 
 from planar_planner import SceneError, load_scene, solve
+from support.format_help import convert, read
+from worlds.outside_files.tpcap import BAY, LOT, NEXT, box, case
 
-Ring = list[tuple[float, float]]
-LOT = [(-12.0, 6.0), (-1.6, 6.0), (-1.6, 12.0), (-12.0, 12.0)]
-NEXT = [(1.6, 6.0), (12.0, 6.0), (12.0, 12.0), (1.6, 12.0)]
-
-
-def case(start: tuple[float, ...], goal: tuple[float, ...], *rings: Ring) -> str:
-    numbers: list[float] = [*start, *goal, len(rings), *map(len, rings)]
-    numbers += [value for ring in rings for point in ring for value in point]
-    return ",".join(map(repr, numbers)) + "\n"
-
-
-def box(xmin: float, ymin: float, xmax: float, ymax: float) -> Ring:
-    return [(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)]
-
-
-BAY = case((-6.0, 2.0, 0.0), (0.0, 7.5, math.pi / 2), LOT, NEXT)
 PARALLEL = case(
     (-6.0, 2.5, 0.0),
     (-1.5, -1.2, 0.0),
@@ -52,7 +37,7 @@ WALLED = case(
 def test_cases_are_decided(text: str, verdict: str, tmp_path: Path) -> None:
     scene = read(tmp_path / "case.csv", text)
     assert solve(scene).verdict == verdict
-    assert any("bounds nothing" in note for note in scene.notes)
+    assert any("states no bounds" in note for note in scene.notes)
 
 
 def test_the_car_stands_on_its_rear_axle(tmp_path: Path) -> None:
@@ -114,7 +99,7 @@ def test_repeated_vertices_are_dropped_and_told(tmp_path: Path) -> None:
         ("", "seven numbers"),
         ("1,2,3,4,5", "seven numbers"),
         ("0,0,0,1,1,0,2,4", "value 9 (vertices of obstacle 2)"),
-        ("0,0,0,1,1,0,1,4,0,0,1,0,1,1", "14 values where 16"),
+        ("0,0,0,1,1,0,1,4,0,0,1,0,1,1", "14 values, but it announces 16"),
         ("0,0,zero,1,1,0,0", "value 3"),
         ("0,0,nan,1,1,0,0", "value 3"),
         ("0,0,0,1,1,0,1.5", "value 7"),

@@ -1,1 +1,1 @@
-"""The command line: arguments, commands, and what they print."""
+"""The command line: arguments, commands and their output."""

@@ -1,4 +1,4 @@
-"""What `planar-planner --version` says: all that a report of a defect needs to be reproduced."""
+"""The output of `planar-planner --version`: the facts that reproduce a bug report."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ import platform
 import sys
 from importlib.metadata import PackageNotFoundError, version
 
+from planar_planner.version import package_version
+
 _LIBRARIES = ("numpy", "shapely", "matplotlib", "rich")
 
 
 def build_details() -> str:
-    """Return the program's version in the first line, and what it is built of and runs on."""
-    import planar_planner
-
-    lines = [f"planar-planner {planar_planner.__version__}"]
+    """Return the version in the first line, then facts about the build and the system."""
+    lines = [f"planar-planner {package_version()}"]
     rows = {**_core(), **_surroundings()}
     width = max(map(len, rows))
     lines += [f"  {name:{width}}  {text}" for name, text in rows.items()]

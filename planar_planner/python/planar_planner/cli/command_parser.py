@@ -1,4 +1,4 @@
-"""A parser that answers a mistake with one line and the likely spelling; light to import."""
+"""A parser that reports a mistake in one line with the likely spelling; light to import."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import Any
 
 from planar_planner.cli.terminal import has_colours
 from planar_planner.errors import cut, one_line
+from planar_planner.scene.builtin import builtin_scenes
 
 EXIT_USAGE = 2
 
@@ -23,7 +24,7 @@ class CommandParser(argparse.ArgumentParser):
     ----------
     examples : tuple of str
         Command lines without the program's name, shown below the help. They run as they stand, one
-        after another in an empty folder (tests/planner/test_help.py).
+        after another in an empty folder (tests/planner/cli/test_help.py).
     """
 
     def __init__(self, *, examples: Sequence[str] = (), status: str = "", **settings: Any) -> None:
@@ -37,26 +38,26 @@ class CommandParser(argparse.ArgumentParser):
         self.examples = tuple(examples)
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> tuple[Any, list[str]]:
-        """Parse, but leave nothing over: each command names what it does not know itself."""
+        """Parse all arguments; an argument that a command does not know is its error."""
         if args is not None:
-            self._refuse_unknown_options(args)  # first, for argparse asks for what is missing first
+            self._refuse_unknown_options(args)  # argparse alone would report missing ones first
         found, rest = super().parse_known_args(args, namespace)
         if rest:
             self.error(f"unexpected argument {_shown(rest[0])}")
         return found, rest
 
     def error(self, message: str) -> Any:
-        """Print one line and leave with status 2."""
+        """Print one line and exit with status 2."""
         self.exit(EXIT_USAGE, f"{self.prog}: {one_line(message)} (see {self.prog} --help)\n")
 
     def format_help(self) -> str:
-        """Return the help, with one line of usage: the options follow below it."""
+        """Return the help; its usage is one line, because the options follow below it."""
         if self.usage is None:
             self.usage = self._short_usage()
         return super().format_help()
 
     def print_help(self, file: Any = None) -> None:
-        """Print the help, in colours where the stream has them."""
+        """Print the help, with colours if the stream shows them."""
         stream = sys.stdout if file is None else file
         text = self.format_help()
         if has_colours(stream):
@@ -66,7 +67,7 @@ class CommandParser(argparse.ArgumentParser):
         self._print_message(text, stream)
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
-        """Suggest a spelling where argparse would list all choices."""
+        """Suggest a spelling, whereas argparse lists all choices."""
         if action.choices is None or value in action.choices:
             return
         choices = [str(choice) for choice in action.choices]
@@ -80,7 +81,7 @@ class CommandParser(argparse.ArgumentParser):
         commands = any(isinstance(a, argparse._SubParsersAction) for a in self._actions)
         for argument in arguments:
             if argument == "--" or (commands and not argument.startswith("-")):
-                return  # what follows a command is the command's
+                return  # the parser of the command checks what follows it
             name = argument.partition("=")[0]
             if _OPTION.match(argument) and name not in self._option_string_actions:
                 hint = _did_you_mean(name, self._option_string_actions)
@@ -100,7 +101,7 @@ def _shown(value: object) -> str:
 
 
 def _did_you_mean(name: str, known: Iterable[str]) -> str:
-    """Return ``; did you mean x?`` for the closest known names, else nothing."""
+    """Return ``; did you mean x?`` for the closest known names, or an empty text."""
     import difflib
 
     bare = {other.lstrip("-"): other for other in known}  # dashes would make any two options alike
@@ -110,7 +111,5 @@ def _did_you_mean(name: str, known: Iterable[str]) -> str:
 
 
 def _scene_hint(name: str) -> str:
-    """Return what to type if a scene stands where a command belongs."""
-    from planar_planner.scene.builtin import builtin_scenes
-
+    """Return the command to type if a scene stands in the place of a command."""
     return f"; it is a scene: planar-planner solve {name}" if name in builtin_scenes() else ""

@@ -1,7 +1,7 @@
-"""Scripts that complete the command line in a shell, made by shtab from the parser itself.
+"""Scripts that complete the command line in a shell; shtab makes them from the parser itself.
 
-An argument says by its placeholder what completes it: SCENE the built-in names and files; FILE, OUT
-and CERT files.
+The placeholder of an argument determines its completions: built-in names and files for SCENE, and
+files for FILE, OUT and CERT.
 """
 
 from __future__ import annotations
@@ -11,14 +11,14 @@ from collections.abc import Iterator
 
 import shtab
 
-from planar_planner.cli.parser import make_parser
+from planar_planner.cli.command_parser import CommandParser
 from planar_planner.scene.builtin import builtin_scenes
 
 _FILES = ("FILE", "OUT", "CERT")
-_FUNCTION = "_planar_planner_scene_or_file"  # shtab's bash escapes what a name with _file returns
+_FUNCTION = "_planar_planner_scene_or_file"  # shtab's bash escapes results of a name with _file
 
 
-def completion_script(shell: str) -> str:
+def completion_script(shell: str, parser: CommandParser) -> str:
     """Return the script for ``bash``, ``zsh``, ``tcsh`` or ``fish``."""
     scenes = " ".join(builtin_scenes())
     scene_or_file = {
@@ -27,7 +27,6 @@ def completion_script(shell: str) -> str:
         "tcsh": f"`echo {scenes} *`",
         "fish": f"({_FUNCTION})",
     }
-    parser = make_parser()
     for action in _actions(parser):
         if action.metavar == "SCENE":
             vars(action)["complete"] = scene_or_file

@@ -1,4 +1,4 @@
-"""What ``--json`` asks for: a file, or nothing but JSON on standard output. Light to import."""
+"""The target of ``--json``: a file, or standard output for JSON only. Light to import."""
 
 from __future__ import annotations
 
@@ -8,19 +8,20 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from planar_planner.output_files import OutputError, check_writable, emit, written_aside
+from planar_planner.errors import OutputError
+from planar_planner.output_files import check_writable, emit, written_aside
 
 STDOUT = "-"
 
 
 @dataclass(frozen=True)
 class JsonOutput:
-    """Where to write a command's answer as JSON; made by `json_output`.
+    """The target of a command's answer as JSON; `json_output` makes it.
 
     Attributes
     ----------
     to_stdout : bool
-        Standard output is for the JSON alone: print no text.
+        Whether standard output receives the JSON; then it receives no text.
     file : Path or None
         File to write.
     """
@@ -29,12 +30,12 @@ class JsonOutput:
     file: Path | None
 
     def write(self, content: dict[str, Any]) -> None:
-        """Write the answer, an object with the members ``format`` and ``version``, if asked for.
+        """Write the answer, an object with the members ``format`` and ``version``, if requested.
 
         Raises
         ------
         OutputError
-            If that fails.
+            If writing fails.
         """
         if not (self.to_stdout or self.file):
             return
@@ -47,7 +48,7 @@ class JsonOutput:
 
 
 def json_output(target: str | None) -> JsonOutput:
-    """Return what the value of ``--json`` asks for, once it is known to be possible.
+    """Return the target that the value of ``--json`` names, after a check that it can be written.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""One line of a terminal, drawn again and again by rich; imported only when there is one."""
+"""One line of a terminal that rich redraws; imported only if there is a terminal."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ REDRAWS_PER_SECOND = 8.0
 
 
 class LiveLine:
-    """Draws until it is told to erase.
+    """Draws a line until `erase` is called.
 
     Parameters
     ----------
     stream : text stream
         A terminal.
     text : function without arguments
-        Returns what to show now; the line is cut at the terminal's width.
+        Returns the text to show now; the line is cut at the terminal's width.
     """
 
     def __init__(self, stream: TextIO, text: Callable[[], str]) -> None:
@@ -46,18 +46,18 @@ class LiveLine:
         self._live.start(refresh=True)
 
     def erase(self) -> None:
-        """Erase the line and draw no more."""
+        """Erase the line and stop drawing."""
         self._live.stop()
 
 
 class _Console(Console):
     def show_cursor(self, show: bool = True) -> bool:
-        """Leave the cursor visible: a process that is killed could not bring it back."""
+        """Leave the cursor visible, because a killed process could not restore it."""
         return False
 
 
 class _Tolerant:
-    """A terminal whose going away does not end the work."""
+    """A terminal that ignores errors, so that closing the terminal does not end the work."""
 
     def __init__(self, stream: TextIO) -> None:
         self._stream: TextIO | None = stream

@@ -1,8 +1,8 @@
 """The command line: arguments → command → exit status.
 
-Exit status as in grep: 0 a path, 1 proven that there is none, 2 bad input or usage, 3 undecided.
-Modules that take long to import (numpy, shapely, matplotlib, the core) are imported by the commands
-that need them.
+The exit status follows grep: 0 for a path, 1 for a proof that there is none, 2 for bad input or
+usage, 3 for undecided. The commands themselves import the modules that take long to import (numpy,
+shapely, matplotlib, the core).
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from contextlib import contextmanager
 from types import FrameType
 
 from planar_planner.cli.parser import parse
-from planar_planner.errors import OptionsError, SceneError, one_line
-from planar_planner.output_files import OutputError, complain, flush, use_safe_encoding
+from planar_planner.errors import PlannerError, one_line
+from planar_planner.output_files import complain, flush, use_safe_encoding
 
 EXIT_BAD_INPUT = 2
 EXIT_UNDECIDED = 3
@@ -25,7 +25,7 @@ EXIT_UNDECIDED = 3
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit status; no exception leaves it.
 
-    Under ``python -X dev`` an internal error is raised instead, to show where it comes from.
+    Under ``python -X dev`` an internal error is raised instead, so that its origin is visible.
     """
     use_safe_encoding()
     interrupts: list[int] = []
@@ -38,11 +38,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     except MemoryError:
         complain("undecided: out of memory")
         return EXIT_UNDECIDED
-    except (SceneError, OptionsError, OutputError) as error:
+    except PlannerError as error:
         complain(one_line(str(error)))
         return EXIT_BAD_INPUT
     except Exception as error:
-        if interrupts:  # on the import of a library that made another error of it
+        if interrupts:  # a library that was being imported turned it into another error
             complain("interrupted")
             return EXIT_UNDECIDED
         if sys.flags.dev_mode:
@@ -53,7 +53,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 @contextmanager
 def _noted(interrupts: list[int]) -> Iterator[None]:
-    """Add to the list each Ctrl-C that arrives, and let it do what it does."""
+    """Add each Ctrl-C that arrives to the list, and then handle it as usual."""
 
     def note(number: int, frame: FrameType | None) -> None:
         interrupts.append(number)
@@ -75,7 +75,7 @@ def _noted(interrupts: list[int]) -> Iterator[None]:
 def _run(argv: Sequence[str]) -> int:
     try:
         arguments = parse(argv)
-    except SystemExit as leaving:  # help, version or a usage error: argparse has said it all
+    except SystemExit as leaving:  # help, version or a usage error, which argparse has printed
         flush()
         return EXIT_BAD_INPUT if leaving.code else 0
     status: int = arguments.run(arguments)

@@ -1,4 +1,4 @@
-"""The whole command line's parser; light to import, since every start of the program pays."""
+"""The parser of the whole command line; light to import, since every start imports it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ from importlib import import_module
 from typing import Any
 
 from planar_planner.cli.arguments.shared import VERDICTS
+from planar_planner.cli.build_details import build_details
 from planar_planner.cli.command_parser import CommandParser
+from planar_planner.output_files import emit
 
 COMMANDS = {  # name → module here, in the order of the help
     "solve": "solve",
@@ -41,21 +43,17 @@ _EXAMPLES = (
 
 
 class _Version(argparse.Action):
-    """Look the details up only when they are asked for."""
+    """Collects the build details only when they are requested."""
 
     def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> None:
-        from planar_planner.cli.build_details import build_details
-        from planar_planner.output_files import emit
-
         emit(build_details())
         parser.exit()
 
 
 def parse(argv: Sequence[str]) -> argparse.Namespace:
-    """Return the arguments; ``run`` is the function of them that does the command's work.
+    """Return the arguments; their member ``run`` is the function that executes the command.
 
-    Leaves with `SystemExit` on a mistake, after one line about it, and where help or version is
-    asked for.
+    Raises `SystemExit` after a mistake, which it reports in one line, and after help or version.
     """
     named = argv[0] if argv and argv[0] in COMMANDS else None
     arguments: argparse.Namespace = make_parser(named).parse_args(_with_joined_numbers(argv))
@@ -63,18 +61,19 @@ def parse(argv: Sequence[str]) -> argparse.Namespace:
 
 
 def make_parser(command: str | None = None) -> CommandParser:
-    """Return the parser of all commands, or of one alone, which is made in less time."""
+    """Return the parser of all commands, or of one command alone, which takes less time to make."""
     parser = CommandParser(
         prog="planar-planner",
         description="Complete motion planning for polygonal robots in the plane:\n"
-        "a certified path, a proof that there is none, or an honest undecided.",
+        "a certified path, a proof that there is none, or undecided.",
         examples=_EXAMPLES,
-        status=f"{VERDICTS};\n  each command's --help has its own",
+        status=f"{VERDICTS};\n  each command's --help states its own",
     )
     parser.add_argument(
         "--version", action=_Version, nargs=0, help="show the version and build details and exit"
     )
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    parser.set_defaults(whole_parser=make_parser)
     for name in [command] if command else COMMANDS:
         import_module(f"planar_planner.cli.commands.{COMMANDS[name]}").add(commands)
     return parser
@@ -84,7 +83,7 @@ _NUMBERS = ("--start", "--goal", "--theta")  # options whose values may begin wi
 
 
 def _with_joined_numbers(argv: Sequence[str]) -> list[str]:
-    """Write ``--start -1,2,0`` as ``--start=-1,2,0``, which argparse would take for an option."""
+    """Write ``--start -1,2,0`` as ``--start=-1,2,0``; argparse would take -1,2,0 for an option."""
     joined: list[str] = []
     for argument in argv:
         if joined and joined[-1] in _NUMBERS and re.match(r"-[\d.]", argument):

@@ -1,4 +1,4 @@
-"""A line on a terminal that says how far long work is; it appears after a second."""
+"""A line on a terminal that shows the progress of long work; it appears after a second."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ if TYPE_CHECKING:
     from planar_planner.cli.live_line import LiveLine
 
 DELAY = 1.0
-"""Seconds of work before the line appears: most commands end sooner and should not flicker."""
+"""Seconds of work before the line appears; most commands end sooner and must not flicker."""
 
 
 class Progress:
-    """A line that follows the work: silent unless on a terminal, gone when the work ends.
+    """A line that shows progress on a terminal only, and that disappears when the work ends.
 
-    Use as a context manager around the work, and print nothing to the terminal within. The line is
-    drawn by a thread of its own, so that its clock goes on whatever the work does; `say` and `step`
-    only note what it shows. An instance is a listener for `planar_planner.solve`.
+    Use it as a context manager around the work, and print nothing to the terminal within. A thread
+    of its own draws the line, so that its clock advances whatever the work does; `say` and `step`
+    only set its text. An instance is a listener for `planar_planner.solve`.
 
     Parameters
     ----------
     stream : text stream or None
-        Where to draw, usually standard error.
+        Stream for the line, usually standard error.
     what : str, optional
-        What is being done, until `say`, `step` or the search's counts tell more.
+        The first text, until `say`, `step` or the search's counts replace it.
     quiet : bool, optional
-        Draw nothing.
+        Whether to draw nothing.
     """
 
     def __init__(self, stream: TextIO | None, what: str = "", *, quiet: bool = False) -> None:
@@ -50,7 +50,7 @@ class Progress:
     def __exit__(self, *_: object) -> None:
         if self._timer is not None:
             self._timer.cancel()
-            self._timer.join()  # it may be drawing the first line just now
+            self._timer.join()  # it may be drawing the first line at this moment
         if self._line is not None:
             self._line.erase()
 
@@ -60,11 +60,11 @@ class Progress:
         return True
 
     def say(self, what: str) -> None:
-        """Show what is being done."""
+        """Show a text that says which work is being done."""
         self._text = what
 
     def step(self, what: str, done: int, total: int) -> None:
-        """Show what is being done, and how much of it is done."""
+        """Show which work is being done, and how many of its parts are done."""
         self._text = f"{what}  {done:,} of {total:,}"
 
     def _draw(self) -> None:

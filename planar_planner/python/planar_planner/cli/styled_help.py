@@ -1,4 +1,4 @@
-"""Help in colours, by rich; imported only where a terminal is to show them."""
+"""Help in colours, by rich; imported only if a terminal shows colours."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from rich.text import Text
 
 _STYLES = {
     r"(?m)^(usage|[a-z][a-z ]*):": "bold",  # headings
-    r"(?<![\w-])--?[A-Za-z][\w-]*": "cyan",  # options, wherever they are named
+    r"(?<![\w-])--?[A-Za-z][\w-]*": "cyan",  # options, everywhere in the text
     r"(?m)^    [a-z]+(?=  )": "cyan",  # commands in their list
 }
 
 
 def styled_help(text: str) -> str:
-    """Return the help with its headings, commands and options told apart."""
+    """Return the help with styles for its headings, commands and options."""
     help_text = Text(text)
     for pattern, style in _STYLES.items():
         help_text.highlight_regex(pattern, style)

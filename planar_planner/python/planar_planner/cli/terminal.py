@@ -1,4 +1,4 @@
-"""What a stream can show: nothing beyond plain text unless it is a terminal. Light to import."""
+"""Capabilities of a stream: only a terminal shows more than plain text. Light to import."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import os
 from typing import TextIO
 
 VERDICT_STYLES = {"path": "bold cyan", "no_path": "bold magenta", "undecided": "bold yellow"}
-"""Told apart by colour-blind eyes too, on dark and light ground; the words say the same."""
+"""Colour-blind readers can distinguish these on dark and light ground; words repeat the verdict."""
 
 
 def is_terminal(stream: TextIO | None) -> bool:
@@ -20,12 +20,12 @@ def is_terminal(stream: TextIO | None) -> bool:
 
 
 def has_colours(stream: TextIO | None) -> bool:
-    """Return whether to colour: on a terminal, unless NO_COLOR is set (https://no-color.org)."""
+    """Return whether to use colours: on a terminal without NO_COLOR (https://no-color.org)."""
     return is_terminal(stream) and os.environ.get("NO_COLOR", "") == ""
 
 
 def styled(text: str, style: str, stream: TextIO | None) -> str:
-    """Return the text as the stream is to show it, in a style that rich names."""
+    """Return the text for the stream, in a style of rich if the stream shows colours."""
     if not has_colours(stream):
         return text
     from rich.color import ColorSystem

@@ -1,4 +1,4 @@
-"""A table for a terminal, cut at its width, by rich; imported only when there is one."""
+"""A table for a terminal, cut at its width, by rich; imported only if there is a terminal."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def styled_table(
     coloured: int,
     verdicts: Sequence[str],
 ) -> str:
-    """Return a table as standard output is to show it; the last column is cut, others are whole.
+    """Return a table for standard output; only its last column is cut at the terminal's width.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A figure that is drawn once, and on which the moving parts alone are drawn for each frame."""
+"""A figure that is drawn once; for each frame only its moving parts are drawn again."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from numpy.typing import NDArray
 from planar_planner.errors import OptionsError
 
 Frame = NDArray[np.uint8]
-"""A picture: (height, width, 3), red, green, blue."""
+"""A picture of shape (height, width, 3): red, green, blue."""
 
 PIXELS_PER_INCH = 100
-SMALLEST, LARGEST = 160, 4096  # pixels a side; below, titles and axes leave no room for the drawing
+SMALLEST, LARGEST = 160, 4096  # pixels per side; in less, titles and axes leave no room to draw
 
 
 def blank_figure(size: tuple[int, int]) -> Figure:
-    """Return a white figure of just this many pixels.
+    """Return a white figure of exactly this many pixels.
 
     Raises
     ------
@@ -36,7 +36,7 @@ def blank_figure(size: tuple[int, int]) -> Figure:
 
 
 def check_size(size: tuple[int, int]) -> None:
-    """Refuse a size that is too small to see anything, or large by a slip.
+    """Refuse a size that is too small for the drawing, or so large that it must be a mistake.
 
     Raises
     ------
@@ -45,7 +45,7 @@ def check_size(size: tuple[int, int]) -> None:
     """
     if not all(SMALLEST <= side <= LARGEST for side in size):
         raise OptionsError(
-            f"size must be from {SMALLEST} to {LARGEST} pixels a side, not {size[0]}x{size[1]}"
+            f"size must be from {SMALLEST} to {LARGEST} pixels per side, not {size[0]}x{size[1]}"
         )
 
 
@@ -55,15 +55,15 @@ class Backdrop:
     Parameters
     ----------
     figure : Figure
-        Of `blank_figure`, complete, with the moving artists in it.
+        A complete figure from `blank_figure` that contains the moving artists.
     moving : sequence of Artist
-        What changes; drawn in this order.
+        The artists that change, in the order in which they are drawn.
     """
 
     def __init__(self, figure: Figure, moving: Sequence[Artist]) -> None:
         self._moving = moving
         for artist in moving:
-            artist.set_animated(True)  # so that drawing the figure leaves them out
+            artist.set_animated(True)  # drawing the figure then leaves them out
         canvas: Any = figure.canvas  # Agg's; its methods have no types
         canvas.draw()
         figure.set_layout_engine("none")

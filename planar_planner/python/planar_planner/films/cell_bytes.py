@@ -1,4 +1,4 @@
-"""Cells → a few bytes each, for a page: corners as 16-bit fractions of the space, and a label."""
+"""Cells packed for a page: corners as 16-bit fractions of the space, and a label."""
 
 from __future__ import annotations
 
@@ -10,29 +10,29 @@ import numpy as np
 from planar_planner.explain.cells import LABELS, Cells
 
 MAX_SHOWN = 60_000
-"""Cells in a page: 13 bytes each, so at most 1.1 MB of base64. The largest are kept; what is left
-out is smaller than a screen shows unless one zooms in, and the page says that it is left out."""
+"""Most cells in a page: 13 bytes each, so at most 1.1 MB of base64. The largest cells are kept. The
+others are smaller than a screen shows without zoom, and the page says that they are left out."""
 
 _STEPS = 65535
 
 
 def packed_cells(cells: Cells, *, rotation: bool) -> dict[str, Any] | None:
-    """Return cells as the player takes them; None if there are none.
+    """Return cells in the player's form; None if there are none.
 
     Parameters
     ----------
     cells : Cells
-        All of them.
+        All cells of the subdivision.
     rotation : bool
         Whether the robot may turn; if not, a cell has no extent in theta.
 
     Returns
     -------
     dict
-        count: how many there are; shown: how many follow; labels: how many of each label; box:
-        lower and upper corner of the space; data: base64 of the lower x of all, as little-endian
-        uint16 from 0 at the box's lower corner to 65535 at its upper one, likewise lower y, lower
-        theta, upper x, y, theta, and a byte of label each.
+        count: number of cells; shown: number of cells in data; labels: number of cells of each
+        label; box: lower and upper corner of the space; data: base64 of the lower x of all cells,
+        as little-endian uint16 from 0 at the box's lower corner to 65535 at its upper one, then in
+        the same form lower y, lower theta, upper x, y, theta, and one byte of label for each cell.
     """
     if not len(cells):
         return None

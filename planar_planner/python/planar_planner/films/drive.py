@@ -21,12 +21,12 @@ from planar_planner.planning.path_samples import Floats, configurations_at, reac
 
 
 def drive_frames(material: Material, pace: Pace, size: tuple[int, int]) -> Iterator[Frame]:
-    """Return the frames from start to goal, equally spaced in travel; the ends exactly, and held.
+    """Yield frames equally spaced in travel; the first and last show the exact ends and are held.
 
     Parameters
     ----------
     material : Material
-        Its path is followed.
+        Gives the path.
     pace : Pace
         Number of frames.
     size : (width, height)
@@ -35,7 +35,7 @@ def drive_frames(material: Material, pace: Pace, size: tuple[int, int]) -> Itera
     Yields
     ------
     (height, width, 3) of uint8
-        One picture after the other; held frames are repeated.
+        One frame; held frames are repeated.
     """
     problem, result = material.problem, material.result
     path = result.path

@@ -1,4 +1,4 @@
-"""A result as a film: GIF or MP4. Reads results; decides nothing."""
+"""Films of a result, as GIF or MP4; this module reads results and decides nothing."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ def write_film(
     pace: Pace,
     size: tuple[int, int] = DEFAULT_SIZE,
 ) -> None:
-    """Write a film: of the robot on its path, or, without one, of the cells angle by angle.
+    """Write a film of the robot on its path or, without a path, of the cells angle by angle.
 
-    The same input gives the same bytes, with the same versions of what draws and encodes.
+    The same input gives the same bytes, with the same versions of matplotlib, Pillow and ffmpeg.
 
     Parameters
     ----------
     material : Material
-        What `planar_planner.films.material.gather` returns.
+        The result of `planar_planner.films.material.gather`.
     file : path
-        Where to write.
+        File to write.
     suffix : str
-        .gif or .mp4, whatever the file is called.
+        .gif or .mp4; it may differ from the file's own suffix.
     pace : Pace
         Speed and number of frames.
     size : (width, height)
@@ -46,7 +46,7 @@ def write_film(
     Raises
     ------
     OptionsError
-        If format, pace or size do not go together, if ffmpeg is missing, or if there is neither a
+        If format, pace and size are not compatible, if ffmpeg is missing, or if there is neither a
         path nor an angle to sweep.
     OutputError
         If ffmpeg fails.
@@ -60,12 +60,12 @@ def write_film(
 
 
 def check_film(suffix: str, pace: Pace, size: tuple[int, int]) -> None:
-    """Find out before the work what cannot be written.
+    """Check before the work that a film can be written.
 
     Raises
     ------
     OptionsError
-        As for `write_film`, as far as it does not depend on the answer.
+        As for `write_film`, except for what depends on the answer.
     """
     if suffix.lower() not in FILM_SUFFIXES:
         raise OptionsError(f"a film ends in {' or '.join(FILM_SUFFIXES)}, not {suffix!r}")
@@ -78,7 +78,7 @@ def check_film(suffix: str, pace: Pace, size: tuple[int, int]) -> None:
 
 
 def film_frames(material: Material, pace: Pace, size: tuple[int, int]) -> Iterator[Frame]:
-    """Return the frames of what there is to see.
+    """Return the frames of the robot on its path, or of the cells if there is no path.
 
     Raises
     ------
@@ -90,7 +90,7 @@ def film_frames(material: Material, pace: Pace, size: tuple[int, int]) -> Iterat
     if not material.problem.rotation:
         raise OptionsError(
             "nothing moves: there is no path, and the robot may not turn; "
-            "write .html, or a picture with solve --plot"
+            "write .html instead, or a picture with solve --plot"
         )
     if not len(material.cells):
         raise OptionsError("nothing to show: there is no path, and no cell was made")

@@ -1,4 +1,4 @@
-"""Frames → GIF, by Pillow."""
+"""The writer of GIF films, by Pillow."""
 
 from __future__ import annotations
 
@@ -13,26 +13,26 @@ from planar_planner.errors import OptionsError
 from planar_planner.films.canvas import Frame
 
 MAX_FPS = 50.0
-"""GIF counts in hundredths of a second, and players slow down what is shorter than two of them."""
+"""GIF counts hundredths of a second, and players slow down frames shorter than two of them."""
 
 MAX_PIXELS = 1_000_000_000
-"""Of all frames that differ, a byte each while the file is made; 83 s of 800 x 600, 25 a second."""
+"""Most pixels of all distinct frames, one byte each in memory: 83 s at 800 x 600 and 25 fps."""
 
 
 def write_gif(frames: Iterable[Frame], fps: float, file: Path) -> None:
-    """Write a GIF that repeats for ever.
+    """Write a GIF that repeats without end.
 
-    All frames have the colours of the first one's palette, so that nothing flickers; equal frames
-    that follow one another become one that stands longer.
+    All frames use the palette of the first frame, so that nothing flickers. Equal frames in
+    succession become one frame with a longer duration.
 
     Raises
     ------
     OptionsError
-        If there are more than 50 frames a second, or more than 10⁹ pixels in all.
+        If there are more than 50 frames per second, or more than 10⁹ pixels in all.
     """
     check_gif_rate(fps)
     images: list[Image.Image] = []
-    ends: list[int] = []  # hundredths of a second since the beginning: rounding never adds up
+    ends: list[int] = []  # hundredths of a second since the beginning, so roundings do not add up
     palette: Image.Image | None = None
     last: Frame | None = None
     for k, frame in enumerate(frames):
@@ -43,7 +43,7 @@ def write_gif(frames: Iterable[Frame], fps: float, file: Path) -> None:
         image = Image.fromarray(frame)
         if (len(images) + 1) * image.width * image.height > MAX_PIXELS:
             raise OptionsError(
-                f"a GIF of more than {MAX_PIXELS:,} pixels in all does not fit the memory: "
+                f"a GIF may have at most {MAX_PIXELS:,} pixels in all: "
                 "write .mp4, or raise speed, or lower seconds, fps or size"
             )
         if palette is None:
@@ -65,12 +65,12 @@ def write_gif(frames: Iterable[Frame], fps: float, file: Path) -> None:
 
 
 def check_gif_rate(fps: float) -> None:
-    """Refuse a rate that GIF cannot hold.
+    """Refuse a rate that GIF cannot represent.
 
     Raises
     ------
     OptionsError
-        If there are more than 50 frames a second.
+        If there are more than 50 frames per second.
     """
     if fps > MAX_FPS:
-        raise OptionsError(f"a GIF shows at most {MAX_FPS:g} frames a second, not {fps:g}")
+        raise OptionsError(f"a GIF shows at most {MAX_FPS:g} frames per second, not {fps:g}")

@@ -1,4 +1,4 @@
-"""What an animation shows: the query, its answer, and cells to look at."""
+"""The content of an animation: the query, its answer and the cells."""
 
 from __future__ import annotations
 
@@ -8,34 +8,33 @@ from planar_planner.explain.cells import Cells
 from planar_planner.planning.options import Options
 from planar_planner.planning.planner import Planner
 from planar_planner.planning.result import Result
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem, with_query
 
 CELLS_TO_SHOW = 100_000
-"""Limit of a search that is made only to have cells to show: a second or two."""
+"""Most cells of a search that is run only to have cells to show; it takes a second or two."""
 
 
 @dataclass(frozen=True, eq=False)
 class Material:
-    """What an animation shows.
+    """The content of an animation.
 
     Attributes
     ----------
     problem : Problem
         The scene, with the query that was answered; with a path its ends are those.
-    region : GoalRegion or None
+    region : GoalSet or None
         The goal, if it is a set of configurations.
     result : PathFound, NoPath or Undecided
-        Its answer.
+        The answer.
     cells : Cells
         The subdivision; may be empty.
     second_search : bool
-        Whether the cells are not those of the answer, which needed none, but of a second search
-        without short cuts.
+        Whether the cells come from a second search with cells only, because the answer needed none.
     """
 
     problem: Problem
-    region: GoalRegion | None
+    region: GoalSet | None
     result: Result
     cells: Cells
     second_search: bool
@@ -48,23 +47,23 @@ def gather(
     *,
     cells_needed: bool = True,
 ) -> Material:
-    """Return what there is to show of the last answer of a planner.
+    """Return the content of an animation of a planner's last answer.
 
-    If the answer needed no cells, a second search by cells only makes some: 100,000 at most.
+    If the answer needed no cells, a second search with cells only makes at most 100,000 of them.
 
     Parameters
     ----------
     planner : Planner
-        Has answered the query.
+        The planner that has answered the query.
     result : PathFound, NoPath or Undecided
         The answer.
     options : Options, optional
-        Limits of the query; the second search keeps them too.
+        Limits of the query; they apply to the second search too.
     cells_needed : bool, optional
-        False: make none, if the answer needed none.
+        Whether to run the second search if the answer needed no cells.
     """
     problem = planner.problem
-    region = problem.goal if isinstance(problem.goal, GoalRegion) else None
+    region = problem.goal if isinstance(problem.goal, GoalSet) else None
     if len(result.path):
         problem = with_query(problem, result.path[0], result.path[-1])
     cells = planner.cells()
@@ -73,5 +72,6 @@ def gather(
     limits = options or Options()
     limits = replace(limits, max_cells=min(limits.max_cells, CELLS_TO_SHOW))
     second = Planner(planner.scene, cells_only=True)
-    second.solve(problem.start, problem.goal, limits)
+    goal = None if isinstance(problem.goal, GoalSet) else problem.goal  # a region is the scene's
+    second.solve(problem.start, goal, limits)
     return Material(problem, region, result, second.cells(), second_search=True)

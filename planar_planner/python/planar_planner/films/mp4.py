@@ -1,4 +1,4 @@
-"""Frames → MP4, by the program ffmpeg, to which raw pictures are piped."""
+"""The writer of MP4 films: it pipes raw pictures to the program ffmpeg."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 
-from planar_planner.errors import OptionsError
+from planar_planner.errors import OptionsError, OutputError
 from planar_planner.films.canvas import Frame
-from planar_planner.output_files import OutputError
 
 
 def write_mp4(frames: Iterable[Frame], size: tuple[int, int], fps: float, file: Path) -> None:
     """Write an MP4 (H.264, 4:2:0, which every browser and phone plays).
 
-    One thread and bit-exact flags, so the same frames give the same bytes with the same ffmpeg.
+    ffmpeg uses one thread and bit-exact flags, so the same frames give the same bytes with the same
+    ffmpeg.
 
     Raises
     ------
@@ -44,7 +44,7 @@ def write_mp4(frames: Iterable[Frame], size: tuple[int, int], fps: float, file: 
                 ffmpeg.stdin.write(frame.tobytes())
             ffmpeg.stdin.close()
         except BrokenPipeError:
-            pass  # it has stopped reading; what it says follows
+            pass  # ffmpeg has stopped reading; its message is read below
         except BaseException:
             ffmpeg.kill()
             raise
@@ -54,7 +54,7 @@ def write_mp4(frames: Iterable[Frame], size: tuple[int, int], fps: float, file: 
 
 
 def find_ffmpeg() -> str:
-    """Return the ffmpeg to use: the system's, else that of the package imageio-ffmpeg.
+    """Return the system's ffmpeg, or that of the package imageio-ffmpeg if there is none.
 
     Raises
     ------

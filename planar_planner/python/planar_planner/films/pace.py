@@ -1,4 +1,4 @@
-"""How fast an animation goes, and at which frame the robot is where."""
+"""The speed of an animation and its number of frames."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from planar_planner.errors import OptionsError
 
 DEFAULT_SECONDS = 10.0
 MAX_FRAMES = 20_000
-"""A quarter of an hour at 25 frames a second; a slip in --speed would otherwise fill the disk."""
+"""A quarter of an hour at 25 frames per second; without it a wrong --speed would fill the disk."""
 
 
 @dataclass(frozen=True)
@@ -19,14 +19,14 @@ class Pace:
     Attributes
     ----------
     speed : float or None
-        Travel in scene units a second (`planar_planner.planning.path_samples.travel`), > 0; a
-        sweep through theta takes it as radians a second.
+        Travel in scene units per second (`planar_planner.planning.path_samples.travel`), > 0; for
+        a sweep through theta it is in radians per second.
     seconds : float or None
-        Time from start to goal instead of a speed, > 0; with neither, 10 s.
+        Time from start to goal instead of a speed, > 0; 10 s if neither is given.
     fps : float
-        Frames a second, in (0, 240].
+        Frames per second, in (0, 240].
     hold : float
-        Seconds that the first and the last frame stand still, >= 0.
+        Seconds for which the first and the last frame stand still, >= 0.
     """
 
     speed: float | None = None
@@ -36,7 +36,7 @@ class Pace:
 
     def __post_init__(self) -> None:
         if self.speed is not None and self.seconds is not None:
-            raise OptionsError("speed and seconds state the same: give one of them")
+            raise OptionsError("speed and seconds exclude each other: give only one of them")
         for name in ("speed", "seconds"):
             value = getattr(self, name)
             if value is not None and not (value > 0.0 and math.isfinite(value)):
@@ -47,7 +47,7 @@ class Pace:
             raise OptionsError(f"hold must be at least 0 and finite, not {self.hold!r}")
 
     def duration(self, length: float) -> float:
-        """Return the seconds that a way of this length takes, holds not included."""
+        """Return the seconds that a path of this travel takes, without the holds."""
         if self.speed is not None:
             return length / self.speed
         return DEFAULT_SECONDS if self.seconds is None else self.seconds
@@ -70,5 +70,5 @@ class Pace:
         return round(count)
 
     def held_frames(self) -> int:
-        """Return for how many further frames the first frame stands still, and the last."""
+        """Return the number of further frames for which the first and the last frame are held."""
         return round(self.hold * self.fps)

@@ -1,7 +1,7 @@
-"""A result as one HTML file with a player: no file beside it, and no network.
+"""A page of a result: one HTML file with a player, without other files and without network.
 
-The page forbids itself everything but its own script and style, by their hashes, so nothing that a
-scene file contains can run or load.
+The page's policy allows only its own script and style, by their hashes, so the content of a scene
+file can neither run nor load anything.
 """
 
 from __future__ import annotations
@@ -36,23 +36,23 @@ _SCRIPTS = (
 def write_page(
     material: Material, file: Path, pace: Pace, size: tuple[int, int] | None = None
 ) -> None:
-    """Write a page that plays what `page_text` describes, as UTF-8."""
+    """Write the page that `page_text` returns, as UTF-8."""
     file.write_text(page_text(material, pace, size), encoding="utf-8", newline="\n")
 
 
 def page_text(material: Material, pace: Pace, size: tuple[int, int] | None = None) -> str:
     """Return a page with a player: the robot on its path, and the cells at its angle.
 
-    Without a path the angle alone goes once round. The same input gives the same text.
+    Without a path only the angle changes, through one turn. The same input gives the same text.
 
     Parameters
     ----------
     material : Material
-        What `planar_planner.films.material.gather` returns.
+        The result of `planar_planner.films.material.gather`.
     pace : Pace
-        Its speed or seconds.
+        Gives the speed or the seconds.
     size : (width, height), optional
-        The most CSS pixels that the page's width and the views' height may be.
+        Largest width of the page and largest height of the views, in CSS pixels.
     """
     content = json.dumps(
         page_material(material, pace, size), allow_nan=False, separators=(",", ":")
@@ -77,7 +77,7 @@ def _part(name: str) -> str:
 
 
 def _hash(text: str) -> str:
-    """Return a source expression of Content Security Policy for just this inline text."""
+    """Return the source expression of Content Security Policy that allows only this inline text."""
     digest = hashlib.sha256(text.encode()).digest()
     return f"'sha256-{base64.b64encode(digest).decode('ascii')}'"
 

@@ -1,6 +1,6 @@
-"""What a page shows, as JSON. Coordinates are for drawing: nine digits, and proofs do not use them.
+"""The content of a page, as JSON. Coordinates have nine digits, for drawing; no proof uses them.
 
-Clock times are left out, so the same query gives the same page.
+The content has no clock times, so the same query gives the same page.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from planar_planner.films.pace import Pace
 from planar_planner.pictures.style import BOUNDS, GOAL, MIDWAY, START
 from planar_planner.pictures.world import view_box
 from planar_planner.planning.path_samples import Floats, reach, travel
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Polygons, Problem, ends
 from planar_planner.scene.fields import Box
 
@@ -30,25 +30,25 @@ VERSION = 1
 _DIGITS = 9
 _MEANINGS = {
     "FREE": "every placement is free",
-    "STAR": "its free part hangs together",
+    "STAR": "its free part is connected",
     "FULL": "every placement collides",
-    "MIXED": "not decided",
+    "MIXED": "undecided",
 }
 
 
 def page_material(
     material: Material, pace: Pace, size: tuple[int, int] | None = None
 ) -> dict[str, Any]:
-    """Return what the player takes.
+    """Return the player's input.
 
     Parameters
     ----------
     material : Material
-        What to show.
+        The content of the animation.
     pace : Pace
-        Its speed or seconds; a page draws as often as the screen, and holds nothing.
+        Gives the speed or the seconds; a page draws as often as the screen and holds no frame.
     size : (width, height), optional
-        The most CSS pixels that the page's width and the views' height may be.
+        Largest width of the page and largest height of the views, in CSS pixels.
 
     Raises
     ------
@@ -102,10 +102,10 @@ def _world(problem: Problem, path: Floats) -> dict[str, Any]:
     }
 
 
-def _region(goal: GoalRegion) -> dict[str, Any]:
+def _region(goal: GoalSet) -> dict[str, Any]:
     """Return where the reference point is to get, or the polygon that it is to get out of."""
     escape = goal.left is not None
-    text = "goal: reference point gets " + ("out of here" if escape else "in here")
+    text = "goal: the reference point " + ("leaves this area" if escape else "is in this area")
     if goal.angles is not None:
         text += f", θ in [{goal.angles[0]:.4g}, {goal.angles[1]:.4g}]"
     return {"outline": _rings(goal.left or goal.polygons), "escape": escape, "text": text}
@@ -155,17 +155,17 @@ def _statistics(material: Material) -> list[tuple[str, str]]:
 
 
 def _note(material: Material) -> str:
-    """Return what a reader must know of the cells to take them for no more than they are."""
+    """Return the note that says what the cells on the page do not show."""
     notes = []
     if material.result.verdict == "no_path" and not material.second_search:
         notes.append(
-            "Between start and goal lie FULL cells, and faces of cells on which every placement "
-            "collides; faces are not drawn."
+            "FULL cells separate start from goal, and so do faces between cells on which every "
+            "placement collides; the page does not draw faces."
         )
     if material.second_search and len(material.cells):
         notes.append(
-            "The answer rests on no cells of the robot itself; the "
-            f"{len(material.cells):,} shown are those of a second search, by cells only."
+            "The answer uses no cells of the robot itself; the "
+            f"{len(material.cells):,} cells shown come from a second search with cells only."
         )
     if not len(material.cells):
         notes.append("There are no cells to show.")

@@ -1,4 +1,4 @@
-"""Films of a replay and of pushed robots, drawn and written like those of `animate`."""
+"""Films of a replay and of pushed robots, drawn and written like the films of `animate`."""
 
 from __future__ import annotations
 
@@ -24,27 +24,27 @@ from planar_planner.pictures.style import GOAL, INK, MIDWAY
 from planar_planner.problem.make import Problem
 
 PACE = Pace(fps=16.0, hold=1.0)
-"""Of films: half as many frames as `push` records, so that twenty seconds are no large file."""
+"""Pace of the films: half as many frames as `push` records, so that twenty seconds stay small."""
 
 HIT = GOAL  # vermilion: a robot in collision
-ROBOTS = ("#CC79A7", "#009E73", "#F0E442", "#56B4E9")  # Okabe and Ito; of tries, in turn
+ROBOTS = ("#CC79A7", "#009E73", "#F0E442", "#56B4E9")  # Okabe and Ito; for the tries in turn
 
 
 def save_replay(
     problem: Problem, found: Replay, file: Path, suffix: str, pace: Pace = PACE
 ) -> None:
-    """Write a film of the robot on its path; in collision it changes its colour.
+    """Write a film of the robot on its path; a robot in collision has another colour.
 
     Parameters
     ----------
     problem : Problem
         The scene.
     found : Replay
-        What `replay` has found.
+        The result of `replay`.
     file : path
-        Where to write.
+        File to write.
     suffix : str
-        .gif or .mp4, whatever the file is called.
+        .gif or .mp4; it may differ from the file's own suffix.
     pace : Pace, optional
         Speed and number of frames.
 
@@ -68,7 +68,7 @@ def save_push(problem: Problem, found: Push, file: Path, suffix: str) -> None:
 
 
 def check_save(suffix: str) -> None:
-    """Find out before the work that a film cannot be written: `OptionsError` says why."""
+    """Check before the work that a film can be written; otherwise raise `OptionsError`."""
     check_film(suffix, PACE, DEFAULT_SIZE)
 
 
@@ -81,7 +81,7 @@ def _write(frames: Iterator[Frame], file: Path, suffix: str, pace: Pace) -> None
 
 
 def _replay_frames(problem: Problem, found: Replay, pace: Pace) -> Iterator[Frame]:
-    verdict = "witnessed" if found.witnessed else "not witnessed"
+    verdict = "confirmed" if found.confirmed else "not confirmed"
     stage = make_stage(
         problem, found.configurations, f"{found.scene} – replay: {verdict}", DEFAULT_SIZE
     )
@@ -114,7 +114,7 @@ def _push_frames(problem: Problem, found: Push) -> Iterator[Frame]:
     trails = [Line2D([], [], color=colour, linewidth=1.2, zorder=3) for colour in colours]
     for trail in trails:
         stage.axes.add_line(trail)
-    # in the legend each colour stands in the first frame, from which a GIF takes its palette
+    # the legend puts each colour into the first frame, from which a GIF takes its palette
     stage.legend(
         [
             Patch(facecolor=colour, edgecolor=INK, label=_label(k, len(traces)))
@@ -134,7 +134,7 @@ def _push_frames(problem: Problem, found: Push) -> Iterator[Frame]:
 
 
 def _label(number: int, tries: int) -> str:
-    """Return which tries have the colour of this one."""
+    """Return the legend's text: the tries that have the colour of this one."""
     later = number + len(ROBOTS)
     return f"try {number}" if later >= tries else f"tries {number}, {later}, …"
 

@@ -1,4 +1,4 @@
-"""Slices of cells as small pictures: one colour a label, a line round each cell that shows."""
+"""Slices of cells as small pictures: one colour per label, and a line round larger cells."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ from numpy.typing import NDArray
 from planar_planner.explain.cells import LABEL_COLOURS, LABELS, Cells, theta_slice
 from planar_planner.films.canvas import Frame
 
-OUTLINED_FROM = 5  # pixels of a cell's shorter side; in less a line would hide the colour
-_EMPTY = 255  # no cell: outside the configuration space
-_LINE = 0.72  # of a colour's brightness, for the line round a cell
+OUTLINED_FROM = 5  # pixels of a cell's shorter side; in a smaller cell a line would hide the colour
+_EMPTY = 255  # the pixel shows no cell: it is outside the configuration space
+_LINE = 0.72  # share of a colour's brightness, for the line round a cell
 
 
 class SliceImage:
-    """Cells as pictures of their slices.
+    """Pictures of the slices of cells.
 
     Parameters
     ----------
     cells : Cells
-        At least one.
+        At least one cell.
     longer_side : int
-        Pixels of the picture's longer side.
+        Length of the picture's longer side, in pixels.
     """
 
     def __init__(self, cells: Cells, longer_side: int) -> None:

@@ -1,4 +1,4 @@
-"""The still part of every film: world, start, goal, title, legend, and a line for what changes."""
+"""The still part of every film: world, start, goal, title, legend and an empty status line."""
 
 from __future__ import annotations
 
@@ -15,26 +15,26 @@ from planar_planner.pictures.goal_region import draw_goal_region
 from planar_planner.pictures.style import INK
 from planar_planner.pictures.world import draw_ends, draw_world, frame_axes, view_box
 from planar_planner.planning.path_samples import Floats
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem
 
-LEGEND_FROM = 420  # pixels of width; in less the legend would be wider than the picture
+LEGEND_FROM = 420  # pixels of width; below this the legend would be wider than the picture
 
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """A figure with one drawing, its keys, and the line under the title.
+    """A figure with one drawing, its legend entries, and the line under the title.
 
     Attributes
     ----------
     figure : Figure
-        Of the size in pixels that was asked for.
+        A figure of the requested size in pixels.
     axes : Axes
         The drawing, in scene units.
     keys : list of Artist
-        Legend entries of what is drawn.
+        Legend entries of the drawing.
     status : Annotation
-        Empty line under the title, for what changes from frame to frame.
+        Empty line under the title, for text that changes from frame to frame.
     """
 
     figure: Figure
@@ -60,9 +60,9 @@ def make_stage(
     path: Floats,
     title: str,
     size: tuple[int, int],
-    region: GoalRegion | None = None,
+    region: GoalSet | None = None,
 ) -> Stage:
-    """Draw what stands still.
+    """Draw the still part of a film.
 
     Parameters
     ----------
@@ -71,10 +71,10 @@ def make_stage(
     path : (N, 3)
         Waypoints that the picture must contain; may be empty.
     title : str
-        Shown literally.
+        Title, without interpretation of its characters as mathematics.
     size : (width, height)
         In pixels.
-    region : GoalRegion, optional
+    region : GoalSet, optional
         Goal to draw.
     """
     figure = blank_figure(size)
@@ -102,6 +102,6 @@ def make_stage(
 
 
 def _fitting(title: str, width: int) -> str:
-    """Cut a title at the number of letters of 12 points, 9 pixels on average, that fit."""
+    """Cut a title to the letters that fit; a letter of 12 points takes 9 pixels on average."""
     room = max(8, width // 9)
     return title if len(title) <= room else f"{title[: room - 1]}…"

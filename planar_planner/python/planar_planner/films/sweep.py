@@ -1,4 +1,4 @@
-"""Frames of a slice through the cells that turns once through all angles: for what has no path."""
+"""Frames of slices through the cells at all angles of one turn, for results without a path."""
 
 from __future__ import annotations
 
@@ -22,25 +22,25 @@ from planar_planner.pictures.style import INK
 from planar_planner.pictures.world import title_of
 from planar_planner.problem.make import ends
 
-OBSTACLES_ZORDER = 1.0  # in planar_planner.pictures; what is below is background
+OBSTACLES_ZORDER = 1.0  # as in planar_planner.pictures; artists below it are background
 
 
 def sweep_frames(material: Material, pace: Pace, size: tuple[int, int]) -> Iterator[Frame]:
-    """Return frames of the cells at angles from 0 up to 2π, evenly, so that the film closes.
+    """Yield frames of the cells at even angles from 0 up to 2π, so that the film repeats smoothly.
 
     Parameters
     ----------
     material : Material
-        Its cells, of a robot that may turn, are sliced.
+        Gives the cells, of a robot that may turn.
     pace : Pace
-        Its speed is in radians a second; nothing is held, since no frame is an end.
+        Its speed is in radians per second; no frame is held, since no frame is an end.
     size : (width, height)
         In pixels.
 
     Yields
     ------
     (height, width, 3) of uint8
-        One picture after the other.
+        One frame.
     """
     problem, result = material.problem, material.result
     stage = make_stage(problem, result.path, title_of(problem.name, result), size, material.region)

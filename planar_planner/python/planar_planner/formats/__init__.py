@@ -1,5 +1,5 @@
-"""Outside formats: one module a format, all behind `planar_planner.formats.registry`.
+"""Other file formats: one module per format, found through `planar_planner.formats.registry`.
 
-A reader turns a file into `Parts`; `planar_planner.formats.assemble` makes a scene of them. What
-each format guarantees is in ``docs/formats.md``.
+A reader turns a file into `Parts`, and `planar_planner.formats.assemble` turns these into a scene.
+``docs/formats.md`` states what each format guarantees.
 """

@@ -1,8 +1,8 @@
-"""Parts of a file → the content of a scene file.
+"""From the parts of a file to a scene.
 
-What a file does not say is taken from the options, or named in one error. The unbounded plane is
-given bounds that change no verdict; coordinates far from the origin are moved there, if that is
-exact.
+The options supply what a file does not state; one error names everything that is still missing. The
+unbounded plane gets bounds that change no verdict. Coordinates far from the origin are moved there
+if the move is exact.
 """
 
 from __future__ import annotations
@@ -15,21 +15,23 @@ from typing import Any
 from planar_planner.errors import SceneError
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point, Shape
 from planar_planner.scene.fields import Box, Configuration
+from planar_planner.scene.model import Scene
 from planar_planner.tolerances import BOUNDS_SLACK
 
 FAR = 2.0**20
-"""Coordinates this many times larger than the scene's extent are moved to the origin: the core's
-error bounds are relative to the largest coordinate, so a millionth of its resolution is lost."""
+"""Coordinates that are this many times larger than the scene's extent are moved to the origin. The
+core's error bounds are relative to the largest coordinate, so such a scene would be resolved a
+million times more coarsely."""
 
 _CARRIES = {
-    "path": "a path found holds for the curves too, 'no path' only for the outlines as flattened",
-    "no_path": "a proof of 'no path' holds for the curves too, a path only for the outlines as "
-    "flattened",
+    "path": "a path holds for the curves too, 'no path' only for the flattened outlines",
+    "no_path": "a proof of 'no path' holds for the curves too, a path only for the flattened "
+    "outlines",
 }
 
 
-def scene_content(parts: Parts, options: ImportOptions, notes: Notes) -> dict[str, Any]:
-    """Return the content of a scene file.
+def scene_of_parts(parts: Parts, options: ImportOptions, notes: Notes, source: str) -> Scene:
+    """Return the scene.
 
     Raises
     ------
@@ -45,25 +47,22 @@ def scene_content(parts: Parts, options: ImportOptions, notes: Notes) -> dict[st
     given = _bounded(_near_origin(_without_copies(given, notes), notes), notes)
     if given.holds_for:
         notes.say(_CARRIES[given.holds_for])
-    content: dict[str, Any] = {"format": "planar-planner/scene", "version": 1, "name": given.name}
-    content["description"] = " ".join(
-        part if part.endswith(".") else f"{part}."
-        for part in (given.description, *notes.as_lines())
-        if part
+    workspace = None if given.workspace is None else as_geojson([given.workspace])
+    sentences = [part for part in (given.description, *notes.as_lines()) if part]
+    return Scene(
+        robot=as_geojson(given.robot or []),
+        obstacles=[as_geojson([shape]) for shape in given.obstacles],
+        start=given.start or (),
+        goal=given.goal or (),
+        workspace=given.workspace_box if workspace is None else workspace,
+        bounds=given.reference_bounds,
+        rotation=given.rotation,
+        name=given.name,
+        description=" ".join(part if part.endswith(".") else f"{part}." for part in sentences),
+        source=source,
+        notes=notes.as_lines(),
+        holds_for=given.holds_for,
     )
-    if given.workspace is not None:
-        content["workspace"] = as_geojson([given.workspace])
-    elif given.workspace_box is not None:
-        content["workspace"] = {"box": list(given.workspace_box)}
-    if given.reference_bounds is not None:
-        content["reference_bounds"] = list(given.reference_bounds)
-    content["robot"] = as_geojson(given.robot or [])
-    content["obstacles"] = [as_geojson([shape]) for shape in given.obstacles]
-    content["start"] = list(given.start or ())
-    content["goal"] = list(given.goal or ())
-    if not given.rotation:
-        content["rotation"] = False
-    return content
 
 
 def as_geojson(shapes: list[Shape]) -> dict[str, Any]:
@@ -88,7 +87,7 @@ def _complete(parts: Parts) -> None:
         if value is None
     ]
     if missing:
-        raise SceneError("the file does not say everything; missing " + "; ".join(missing))
+        raise SceneError("the file does not state everything; missing " + "; ".join(missing))
 
 
 def _without_copies(parts: Parts, notes: Notes) -> Parts:
@@ -99,7 +98,7 @@ def _without_copies(parts: Parts, notes: Notes) -> Parts:
 
 
 def _near_origin(parts: Parts, notes: Notes) -> Parts:
-    """Move a scene far from the origin there, if no coordinate is rounded by that."""
+    """Move a scene that is far from the origin to it, if the move rounds no coordinate."""
     points = list(_world_points(parts))
     box = _bounds(points)
     extent = max(box[2] - box[0], box[3] - box[1])
@@ -115,10 +114,10 @@ def _near_origin(parts: Parts, notes: Notes) -> Parts:
 
 
 def _exact(value: float, shift: float) -> bool:
-    """Return whether value − shift is a double: then adding shift again gives value (Knuth 1969).
+    """Return whether value − shift is a double; adding shift again then gives value (Knuth 1969).
 
-    The difference d rounds to nearest; d + shift = value and value − d = shift together say that
-    nothing was lost.
+    The difference d rounds to nearest; d + shift = value and value − d = shift together show that
+    the difference is exact.
     """
     difference = value - shift
     return difference + shift == value and value - difference == shift
@@ -165,11 +164,11 @@ def _moved(parts: Parts, dx: float, dy: float) -> Parts:
 def _bounded(parts: Parts, notes: Notes) -> Parts:
     """Give the unbounded plane bounds for the reference point that change no verdict.
 
-    Let r be the robot's largest distance from its reference point, and B a box that holds all
-    obstacles, start and goal, grown by more than r on every side. With the reference point outside
-    B or on its border, the robot meets no obstacle. Moving every point of a path to the nearest
-    one in B is continuous and leaves points in B as they are, so a free path has a free image
-    in B: bounds B answer as the plane does.
+    Let r be the robot's largest distance from its reference point, and B a box that contains all
+    obstacles, start and goal, grown by more than r on every side. If the reference point is outside
+    B or on its border, the robot meets no obstacle. The map of every point to the nearest one in B
+    is continuous and leaves points of B fixed, so a free path has a free image in B: the query has
+    the same answer with the bounds B as in the plane.
     """
     if (parts.workspace or parts.workspace_box or parts.reference_bounds) is not None:
         return parts
@@ -177,7 +176,7 @@ def _bounded(parts: Parts, notes: Notes) -> Parts:
     xmin, ymin, xmax, ymax = _bounds(list(_world_points(parts)))
     size = max(map(abs, (xmin, ymin, xmax, ymax)))
     margin = radius * BOUNDS_SLACK + size * 2.0**-50  # the second covers the sums' rounding
-    notes.say("the file bounds nothing: reference_bounds are chosen so that no verdict changes")
+    notes.say("the file states no bounds: reference_bounds are chosen so that no verdict changes")
     return replace(
         parts, reference_bounds=(xmin - margin, ymin - margin, xmax + margin, ymax + margin)
     )

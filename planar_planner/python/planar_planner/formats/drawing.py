@@ -1,7 +1,7 @@
-"""Drawings → parts: figures with roles, their curves flattened on the side that was asked for.
+"""From drawings to parts: figures with roles, whose curves are flattened to the requested side.
 
-Flattening ``outwards`` grows what the robot may meet and the robot, and shrinks the workspace: a
-path found holds for the curves. ``inwards`` is the other way round: a proof of no path does.
+Flattening ``outwards`` grows the obstacles and the robot and shrinks the workspace, so a path holds
+for the curves too. Flattening ``inwards`` does the opposite, so a proof of no path does.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from planar_planner.errors import SceneError
 from planar_planner.formats.outlines.curves import Outline, control_points, first_point, flattened
 from planar_planner.formats.outlines.exact import contains, is_anticlockwise
+from planar_planner.formats.outlines.figure import EVENODD, Figure
 from planar_planner.formats.outlines.rings import MIN_RING, polygons_of, without_repeats
 from planar_planner.formats.parts import (
     INWARDS,
@@ -27,29 +28,7 @@ from planar_planner.formats.parts import (
 from planar_planner.scene.fields import Box, Configuration
 
 DEFAULT_TOLERANCE = 1e-3
-"""Of the drawing's larger extent, if the user names no tolerance; curves then take few edges."""
-
-EVENODD = "evenodd"
-NONZERO = "nonzero"
-
-
-@dataclass(frozen=True)
-class Figure:
-    """Closed outlines that belong together: an outer one and holes.
-
-    Attributes
-    ----------
-    outlines : tuple of Outline
-        In the drawing's coordinates, y upwards.
-    rule : {"evenodd", "nonzero"}
-        What is inside.
-    place : str
-        For messages.
-    """
-
-    outlines: tuple[Outline, ...]
-    rule: str
-    place: str
+"""Default tolerance as a share of the drawing's larger extent; curves then take few edges."""
 
 
 @dataclass
@@ -72,7 +51,7 @@ class Drawing:
 
 
 def parts_of(drawing: Drawing, options: ImportOptions, notes: Notes) -> Parts:
-    """Return what a drawing says.
+    """Return the parts of a drawing.
 
     Raises
     ------
@@ -96,8 +75,8 @@ def parts_of(drawing: Drawing, options: ImportOptions, notes: Notes) -> Parts:
     parts.start, parts.goal = drawing.marks.get("start"), drawing.marks.get("goal")
     if not (parts.obstacles or parts.robot or parts.workspace):
         raise SceneError(
-            "nothing has a role; ids, classes, labels or layers must be called robot, obstacle, "
-            "workspace, start, goal, or --role must say which are"
+            "nothing has a role; ids, classes, labels or layers must have the names robot, "
+            "obstacle, workspace, start, goal, or --role must state their roles"
         )
     if flattener.met_curves:
         parts.holds_for = "path" if options.flatten == OUTWARDS else "no_path"
@@ -117,7 +96,10 @@ def _about_origin(robot: list[Shape], origin: Configuration | None, notes: Notes
     else:
         xs, ys = zip(*(p for shape in robot for p in shape[0]), strict=True)
         x0, y0 = (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2
-        notes.say(f"no mark is the robot's origin: it is the middle of its box, ({x0!r}, {y0!r})")
+        notes.say(
+            "the drawing has no mark for the robot's origin: its reference point is the middle of "
+            f"its bounding box, ({x0!r}, {y0!r})"
+        )
     return [[[(x - x0, y - y0) for x, y in ring] for ring in shape] for shape in robot]
 
 
@@ -130,7 +112,7 @@ def _rectangle(shapes: list[Shape]) -> Box:
 
 
 class _Flattener:
-    """Figures → polygons, with the tolerance that holds for the whole drawing."""
+    """Turns figures into polygons, with one tolerance for the whole drawing."""
 
     def __init__(self, drawing: Drawing, options: ImportOptions, notes: Notes) -> None:
         self._figures = drawing.figures
@@ -172,7 +154,7 @@ class _Flattener:
         for k, (left, right) in enumerate(both):
             inside, outside = _material(k, both, figure.rule)
             if inside == outside:
-                continue  # a ring within material of the same winding bounds nothing
+                continue  # a ring with material on both sides, or on neither, bounds nothing
             material_left = inside == is_anticlockwise(left)
             rings.append(right if material_left == outwards else left)
         try:
@@ -187,9 +169,9 @@ def _both_sides(outline: Outline, tolerance: float) -> tuple[Ring, Ring]:
     """Return an outline flattened to its left and to its right."""
     left, right = (without_repeats(flattened(outline, side, tolerance)) for side in (1, -1))
     if len(set(left)) < MIN_RING or len(set(right)) < MIN_RING:
-        raise SceneError("an outline is as small as the tolerance; name a smaller --tolerance")
+        raise SceneError("an outline is as small as the tolerance; use a smaller --tolerance")
     if is_anticlockwise(left) != is_anticlockwise(right):
-        raise SceneError("an outline is as thin as the tolerance; name a smaller --tolerance")
+        raise SceneError("an outline is as thin as the tolerance; use a smaller --tolerance")
     return left, right
 
 
@@ -211,7 +193,9 @@ def _is_inside(inner: tuple[Ring, Ring], outer: tuple[Ring, Ring]) -> bool:
     """Return whether one ring is inside another, by all vertices and both sides of each."""
     answers = {contains(ring, p) for ring in outer for side in inner for p in side}
     if len(answers) > 1:
-        raise SceneError("outlines cross or come closer than the tolerance; name a smaller one")
+        raise SceneError(
+            "outlines cross or come closer than the tolerance; use a smaller --tolerance"
+        )
     return answers.pop()
 
 

@@ -1,4 +1,4 @@
-"""A scene's content → parts for the writers."""
+"""From a scene's content to parts for the writers."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ def parts_of(content: Mapping[str, Any]) -> Parts:
     Raises
     ------
     SceneError
-        On what the gate would not accept either; without a source.
+        If the gate would refuse the scene too, or its goal is a region; without a source.
     """
     if is_region(content["goal"]):
-        raise SceneError("is a region; only scene files hold those", "goal")
+        raise SceneError("is a region; only scene files can state regions", "goal")
     parts = Parts(
         obstacles=[
             shape

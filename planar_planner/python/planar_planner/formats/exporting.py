@@ -1,4 +1,4 @@
-"""The content of a scene file becomes files in an outside format."""
+"""The step from the content of a scene file to files in another format."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from planar_planner.formats.registry import FORMATS, Writer, kind_of_suffix
 
 
 def write_scene(content: Mapping[str, Any], path: Path) -> Mapping[Path, bytes]:
-    """Return the files, by name, that hold a scene in the format of a name.
+    """Return the files, by name, that represent a scene in the format that the name states.
 
     Raises
     ------
     SceneError
-        If no format that is written has this ending, or the format cannot hold the scene.
+        If no writer has this ending, or the format cannot represent the scene.
     """
     from planar_planner.formats.export import parts_of
 

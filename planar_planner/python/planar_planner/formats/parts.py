@@ -1,6 +1,6 @@
-"""What a reader hands over, and what the user asked of it. Plain structs.
+"""The input and output of readers, as plain structs.
 
-Lengths are in the file's unit, angles in radians, anticlockwise, x to the right and y upwards.
+Lengths are in the file's unit; angles are in radians, anticlockwise; x points right and y upwards.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ Point = tuple[float, float]
 Ring = list[Point]
 """Vertices without a repeated last one."""
 Shape = list[Ring]
-"""Outer ring, then holes; valid as the planner demands, or checked by its gate."""
+"""The outer ring, then holes; either valid as the planner requires, or checked by its gate."""
 
 OUTWARDS = "outwards"
 INWARDS = "inwards"
@@ -23,26 +23,26 @@ INWARDS = "inwards"
 
 @dataclass(frozen=True)
 class ImportOptions:
-    """What the command line says of files in outside formats.
+    """Options for files in other formats.
 
     Attributes
     ----------
     start, goal : list of float, optional
-        ``[x, y, theta]`` in the file's frame, instead of what the file says.
+        ``[x, y, theta]`` in the file's frame, used instead of the file's own.
     robot : Path, optional
-        File that the robot is taken from.
+        File that contains the robot.
     footprint : str, optional
         Nav2's ``[[x, y], …]``, the robot's outline.
     padding : float, optional
         Nav2's ``footprint_padding``, in the file's unit.
     unknown : bool
-        Unknown cells of an occupancy map are obstacles.
+        Whether unknown cells of an occupancy map are obstacles.
     flatten : str
-        ``outwards``: a path found holds for the curves. ``inwards``: a proof of none does.
+        ``outwards``: a path holds for the curves too. ``inwards``: a proof of no path does.
     tolerance : float, optional
-        Farthest that a flattened outline may be from its curve, in the file's unit.
+        Greatest distance of a flattened outline from its curve, in the file's unit.
     roles : tuple of (pattern, role)
-        Which layers, ids, classes or labels are what; before the names that are known anyway.
+        Roles of layers, ids, classes or labels; they come before the known names.
     """
 
     start: list[float] | None = None
@@ -58,9 +58,9 @@ class ImportOptions:
 
 @dataclass
 class Notes:
-    """What was done to a file's geometry; the only state that readers share.
+    """Notes on changes of a file's geometry; they are the only state that readers share.
 
-    `counts` has things that happen many times, `lines` those that happen once.
+    `counts` holds changes that occur many times, `lines` those that occur once.
     """
 
     counts: Counter[str] = field(default_factory=Counter)
@@ -77,13 +77,13 @@ class Notes:
             self.lines.append(line)
 
     def as_lines(self) -> tuple[str, ...]:
-        """Return all notes, one a line."""
+        """Return all notes, one per line."""
         return (*self.lines, *(f"{what}: {times}" for what, times in self.counts.items()))
 
 
 @dataclass
 class Parts:
-    """A file's content. None means that the file does not say.
+    """A file's content. None means that the file does not state it.
 
     Attributes
     ----------
@@ -98,15 +98,16 @@ class Parts:
     reference_bounds : box, optional
         The reference point stays inside.
     start, goal : configuration, optional
-        Of the robot's frame in the world.
+        Configuration of the robot's frame in the world.
     rotation : bool
         Whether the robot may turn.
     name : str
-        Empty if the file does not say.
+        Empty if the file states no name.
     description : str
         One sentence for people.
     holds_for : str
-        The verdict that carries over to the file's curves, ``path`` or ``no_path``; empty: both.
+        The verdict that also holds for the file's curves, ``path`` or ``no_path``; empty if both
+        do.
     """
 
     obstacles: list[Shape] = field(default_factory=list)

@@ -1,4 +1,4 @@
-"""Bytes → text → numbers, with the place of whatever is wrong. Errors have no source yet."""
+"""Conversions of bytes to text and numbers; errors state the place but not yet the source."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def point(x: str, y: str, place: str) -> Point:
 
 
 def _number(text: str, place: str) -> float:
-    if "_" in text:  # which Python takes and no file format knows
+    if "_" in text:  # Python accepts an underscore, but no file format does
         raise SceneError("must be a number", place, shown(text))
     try:
         return float(text)
@@ -58,7 +58,7 @@ def require(module: str, what: str, extra: str) -> ModuleType:
     Raises
     ------
     SceneError
-        If it is not installed, naming the extra that brings it.
+        If it is not installed; the message names the extra that installs it.
     """
     try:
         return importlib.import_module(module)

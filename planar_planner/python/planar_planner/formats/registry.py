@@ -1,6 +1,6 @@
-"""Which format a file is in, by its name's ending and its content, and who reads and writes it.
+"""The list of formats: how to recognise each by a name's ending or a content, and its modules.
 
-Light to import: a reader and the libraries it needs are imported when a file of its kind is met.
+The module is light to import: a reader and its libraries are imported only to read such a file.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ Writer = Callable[[Parts, Path], Mapping[Path, bytes]]
 
 @dataclass(frozen=True)
 class Format:
-    """One outside format.
+    """One file format other than scene files.
 
     Attributes
     ----------
     title : str
-        For people.
+        Name of the format, for people.
     suffixes : tuple of str
-        Endings of file names, in small letters.
+        Endings of file names, in lower case.
     reader, writer : str
         Module in this package with a function ``read`` or ``write``; empty if there is none.
     """
@@ -53,7 +53,7 @@ FORMATS = (OMPL_APP, COLLADA, ROS_MAP, YAP, YAP_ROBOT, TPCAP, WKT, GEOJSON, SVG,
 
 _BY_SUFFIX = {suffix: kind for kind in FORMATS for suffix in kind.suffixes}
 _GEOJSON_TYPES = ("FeatureCollection", "Feature", "GeometryCollection", "Polygon", "MultiPolygon")
-_SNIFFED = (  # beginnings of files whose names do not tell
+_SNIFFED = (  # marks in the beginnings of files whose names do not determine the format
     (b"[problem]", OMPL_APP),
     (b"<COLLADA", COLLADA),
     (b"<svg", SVG),
@@ -75,7 +75,7 @@ def kind_of_suffix(path: Path) -> Format | None:
 
 
 def format_of(path: Path, data: bytes) -> Format | None:
-    """Return the outside format of a file; None if it is to be read as JSON."""
+    """Return the format of a file; None if it is to be read as JSON."""
     known = kind_of_suffix(path)
     if known is not None:
         return known
@@ -102,7 +102,7 @@ def read_parts(
     Raises
     ------
     SceneError
-        With the file's name, and the place and value in it that are wrong.
+        If the file is wrong; the message states file, place and value.
     """
     module = importlib.import_module(f"planar_planner.formats.readers.{kind.reader}")
     reader: Reader = module.read

@@ -12,6 +12,7 @@ from planar_planner.formats.outlines.rings import polygons_of
 from planar_planner.formats.outlines.shapes import shapes_of_geometry
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point, Shape
 from planar_planner.scene import fields
+from planar_planner.scene.json_file import file_bytes, parse
 
 
 def chosen_robot(options: ImportOptions, notes: Notes) -> list[Shape] | None:
@@ -20,7 +21,7 @@ def chosen_robot(options: ImportOptions, notes: Notes) -> list[Shape] | None:
     Raises
     ------
     SceneError
-        If both ways are used, the file has no robot, or the footprint is none.
+        If both options are given, the file has no robot, or the footprint is not an outline.
     """
     if options.robot is not None and options.footprint is not None:
         raise SceneError("robot: give --robot or --footprint, not both", source="--footprint")
@@ -34,8 +35,8 @@ def chosen_robot(options: ImportOptions, notes: Notes) -> list[Shape] | None:
 def from_footprint(text: str, padding: float, place: str, notes: Notes) -> list[Shape]:
     """Return the polygon of Nav2's ``footprint`` string, padded as Nav2 does.
 
-    Each coordinate moves away from 0 by the padding (Nav2, ``padFootprint``): for a footprint round
-    its reference point this grows it along both axes.
+    Each coordinate moves away from 0 by the padding (Nav2, ``padFootprint``). A footprint that
+    contains its reference point grows along both axes by this.
     """
     try:
         content = json.loads(text)
@@ -50,7 +51,7 @@ def from_footprint(text: str, padding: float, place: str, notes: Notes) -> list[
         x, y = (fields.coordinate(v, f"{place}[{i}][{k}]") for k, v in enumerate(position))
         ring.append((_padded(x, padding), _padded(y, padding)))
     if padding:
-        notes.say(f"footprint padded by {padding!r}, each coordinate away from 0 as Nav2 does")
+        notes.say(f"the footprint is padded by {padding!r}, each coordinate away from 0 as in Nav2")
     shapes = polygons_of([ring], place, notes)
     if not shapes:
         raise SceneError("must be an outline with area", place, cut(text))
@@ -62,9 +63,7 @@ def _padded(value: float, padding: float) -> float:
 
 
 def _from_file(path: Path, options: ImportOptions, notes: Notes) -> list[Shape]:
-    """Return the robot of a file, or its only shape if none is called the robot."""
-    from planar_planner.scene.json_file import file_bytes, parse
-
+    """Return the robot of a file, or its only shape if no shape has the role of the robot."""
     data = file_bytes(path, str(path))
     kind = registry.format_of(path, data)
     if kind is None:
@@ -75,7 +74,7 @@ def _from_file(path: Path, options: ImportOptions, notes: Notes) -> list[Shape]:
     parts = registry.read_parts(kind, path, data, options, notes)
     shapes = parts.robot or _only_shape(parts)
     if not shapes:
-        raise SceneError("has no robot and not just one shape", source=str(path))
+        raise SceneError("has no robot and not exactly one shape", source=str(path))
     return shapes
 
 

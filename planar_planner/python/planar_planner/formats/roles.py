@@ -1,4 +1,4 @@
-"""What the layers, ids, classes and labels of a drawing stand for."""
+"""The roles that the layers, ids, classes and labels of a drawing state."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ def role_of(names: Iterable[str], given: Iterable[tuple[str, str]]) -> str | Non
     Parameters
     ----------
     names : iterable of str
-        Of an element, the closest first: its id, label, classes, then those of its groups.
+        Names of an element, the closest first: its id, label and classes, then those of its groups.
     given : iterable of (pattern, role)
-        The user's, which come before the known ones; ``*`` stands for any text.
+        The user's patterns, which come before the known ones; ``*`` stands for any text.
     """
     patterns = (*given, *_KNOWN)
     for name in names:

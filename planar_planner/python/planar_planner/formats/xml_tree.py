@@ -1,4 +1,4 @@
-"""XML bytes → element tree, without namespaces and without entities of the file's own."""
+"""The reader of XML: an element tree without namespaces and without the file's own entities."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def parse_xml(data: bytes, root: str) -> ElementTree.Element:
     except ElementTree.ParseError as error:
         line, column = error.position
         raise SceneError(f"is not XML: {error.args[0]}", f"line {line}, column {column}") from None
-    except (ValueError, LookupError) as error:  # an encoding that is not known
+    except (ValueError, LookupError) as error:  # an unknown encoding
         raise SceneError(f"is not XML: {error}") from None
     for element in tree.iter():
         if isinstance(element.tag, str):

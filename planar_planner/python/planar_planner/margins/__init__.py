@@ -1,1 +1,1 @@
-"""How far a scene is from its other verdict: the robot grown or shrunk (docs/margin.md)."""
+"""The margin: how far the robot can grow or must shrink (docs/margin.md)."""

@@ -1,8 +1,8 @@
-"""Bodies that stand for a grown or shrunk robot, each with the range of sizes that it bounds.
+"""Bodies that represent a grown or shrunk robot, each with the range of sizes that it bounds.
 
 A family of bodies A(m) grows with m: A(m) is a subset of A(m') for m <= m'. A `Body` P states
 A(inner) subset of P subset of A(outer). So a path for P is a path for the robot at `inner`, and a
-proof that P has none is one for the robot at `outer`: both verdicts of one query are of use.
+proof that P has no path is a proof for the robot at `outer`: both verdicts of a query are useful.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ Floats = NDArray[np.float64]
 Rings = Sequence[Floats]
 
 UNIT_ROUNDOFF = 2.0**-53
-"""u: a rounded operation's relative error."""
+"""u: the relative error of a rounded operation."""
 
 
 class ClaimError(Exception):
-    """What a body has to keep could not be established."""
+    """The inclusions that a body claims could not be established."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,9 +35,10 @@ class Body:
     Attributes
     ----------
     polygons : Polygons or None
-        In the robot's frame; polygons may overlap, the body is their union. None: no area is left.
+        Polygons in the robot's frame, which may overlap; the body is their union. None if no area
+        is left.
     inner, outer : float
-        A(inner) is inside the body up to a set without area, the body inside A(outer).
+        A(inner) is inside the body up to a set without area, and the body is inside A(outer).
     """
 
     polygons: Polygons | None
@@ -50,21 +51,21 @@ class Family(Protocol):
 
     @property
     def neutral(self) -> float:
-        """The parameter of the robot as it is."""
+        """The parameter of the robot at its own size."""
 
     @property
     def vanishing(self) -> float:
-        """A parameter at which no area is left, so that everything is free."""
+        """A parameter at which the robot has no area, so that everything is free."""
 
     @property
     def monotone(self) -> bool:
-        """Whether the bodies do grow; if not, ``inner == outer`` is the parameter itself."""
+        """Whether the bodies grow; if not, ``inner == outer`` is the parameter itself."""
 
     def between(self, low: float, high: float) -> Body:
         """Return a body with low < inner <= outer < high, about in the middle."""
 
     def raised(self, body: Body, clearance: float) -> float:
-        """Return up to which parameter a path holds that keeps `body` this far from obstacles."""
+        """Return the parameter up to which a path holds that has this clearance for `body`."""
 
 
 def polygons_of(shapes: Sequence[Rings]) -> Polygons:
@@ -73,8 +74,8 @@ def polygons_of(shapes: Sequence[Rings]) -> Polygons:
     Raises
     ------
     ClaimError
-        If one is not simple, for the exact doubles; rounding can do that to bodies that are small,
-        or hardly differ from the robot.
+        If a polygon is not simple for the exact doubles; rounding can cause this for bodies that
+        are small or hardly differ from the robot.
     """
     rings = [ring for shape in shapes for ring in shape]
     polygons = Polygons(
@@ -84,7 +85,7 @@ def polygons_of(shapes: Sequence[Rings]) -> Polygons:
     )
     defect = first_defect(*polygons.arrays)
     if defect is not None:
-        raise ClaimError(f"the tolerance is below what rounding allows: {defect[1]}")
+        raise ClaimError(f"the width of the bracket is below what rounding allows: {defect[1]}")
     return polygons
 
 
@@ -100,7 +101,7 @@ def shapes_of(polygons: Polygons) -> list[list[Floats]]:
 
 
 def geometry_of(polygons: Polygons | None) -> dict[str, Any]:
-    """Return a body as a GeoJSON MultiPolygon of the very doubles."""
+    """Return a body as a GeoJSON MultiPolygon with exactly the same doubles."""
     shapes = [] if polygons is None else shapes_of(polygons)
     coordinates = [[[*ring.tolist(), ring[0].tolist()] for ring in shape] for shape in shapes]
     return {"type": "MultiPolygon", "coordinates": coordinates}

@@ -1,4 +1,4 @@
-"""Start and goal: how far the robot can grow until they are not free."""
+"""The ends of a query: how far the robot can grow until start or goal is not free."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from planar_planner.scene.input_limits import MAX_COORDINATE
 
 @dataclass(frozen=True)
 class Ends:
-    """Clearances of the robot as it is, rounded, and the margin at which an end is not free.
+    """Rounded clearances of the robot at its own size, and the margin at which an end is not free.
 
     Attributes
     ----------
@@ -26,9 +26,10 @@ class Ends:
         Distances from what is nearest; 0 at an end that is in contact or collides. Infinite for a
         goal that is a region: a larger robot may use another place in it.
     limit : float
-        Proven: beyond this one of them is not free. Infinite if there is nothing to touch.
+        Beyond this margin one of them is proven not to be free. Infinite if there is nothing to
+        touch.
     binding : str
-        Which: "start" or "goal"; "none" if there is nothing to touch.
+        The end that is not free: "start" or "goal"; "none" if there is nothing to touch.
     """
 
     start: float
@@ -38,12 +39,12 @@ class Ends:
 
 
 def ends_of(problem: Problem, core: Core, around: Surroundings) -> Ends:
-    """Measure both ends, and by how much the robot can be grown there.
+    """Measure both ends, and how far the robot can grow there.
 
     Raises
     ------
     SceneError
-        If one is outside the reference bounds: no size of the robot makes that legal.
+        If an end is outside the reference bounds, which no size of the robot makes legal.
     """
     found, room = {}, {}
     shape = shape_of(problem.robot)
@@ -53,7 +54,7 @@ def ends_of(problem: Problem, core: Core, around: Surroundings) -> Ends:
             raise SceneError(explanation(placement, problem), name, str(list(q)), problem.source)
         clearance = around.clearance(placed(shape, q))
         found[name] = clearance if placement["state"] == "free" else 0.0
-        # What is called a contact is one within rounding: what is measured there counts.
+        # A placement in contact is one within rounding, so the measured distance counts.
         room[name] = 0.0 if placement["state"] in ("colliding", "outside") else clearance
     binding = min(room, key=lambda name: room[name])
     if not math.isfinite(room[binding]):
@@ -65,7 +66,7 @@ def ends_of(problem: Problem, core: Core, around: Surroundings) -> Ends:
 def scale_limit(problem: Problem, family: Scalings, ends: Ends, width: float) -> tuple[float, str]:
     """Return a factor at which an end is proven not to be free, and which end.
 
-    Doubles the factor until that is so, then bisects to `width`, by placements alone.
+    The factor is doubled until an end is not free, then bisected to `width`, by placements only.
     """
     if not math.isfinite(ends.limit):
         return math.inf, "none"
@@ -84,7 +85,7 @@ def scale_limit(problem: Problem, family: Scalings, ends: Ends, width: float) ->
 
 
 def _blocked_end(problem: Problem, family: Scalings, low: float, high: float) -> str | None:
-    """Return which end, if any, is proven not to be free for the body in the middle."""
+    """Return the end, if any, that is proven not to be free for the body in the middle."""
     body = family.between(low, high)
     if body.polygons is None:
         return None

@@ -2,20 +2,20 @@ r"""A polygon shrunk by a distance, between an inner and an outer body.
 
 A - s is the set of the points of the polygon A whose distance from the complement of A is at least
 s. The candidate P is A minus a circumscribed polygon round every edge (`rounded_hull`), computed by
-GEOS. Nothing is taken for granted of it; two claims are established of its doubles.
+GEOS. No claim relies on GEOS; two claims about the candidate's doubles are established.
 
 - *P is inside A - s for s up to `shallow`.* No edge of P crosses one of A (exact, by the
   decomposition of the region between them), P has a vertex of each ring inside A and no ring of A
   is inside P (exact), so P is inside A; and no point of P's boundary is nearer to A's boundary than
-  `shallow`. Two boundaries that do not cross are nearest at a vertex of one of them. A point of P
-  nearer to the complement of A would have one of P's boundary on the way there.
+  `shallow`. Two boundaries that do not cross are nearest at a vertex of one of them. If a point of
+  P were nearer to the complement of A, a point of P's boundary on the way there would be too.
 - *A - s is inside P for s above `deep`.* The region A \ P is cut into triangles, exactly, and
   these until for each one edge of A has all three corners within `deep`. The distance from an edge,
   a convex set, is a convex function, greatest at a corner; so every point of A \ P is within `deep`
   of A's boundary. Halving a triangle at a rounded midpoint loses at most a sliver of that
   rounding, u M at each of at most `DEPTH` levels, which `deep` includes.
 
-The empty P is legitimate: the second claim then says that no disc of radius above `deep` fits.
+P may be empty: the second claim then says that no disc of radius above `deep` fits.
 """
 
 from __future__ import annotations
@@ -30,14 +30,14 @@ from planar_planner.margins.rounded_hull import circumscribed
 from planar_planner.margins.segments import distances, edges_of, inside_ring, rounding_of
 
 DEPTH = 60
-"""Most halvings of a triangle: twice as many as bring any triangle down to a rounding error of its
-own size; beyond this the claim fails."""
+"""Most halvings of a triangle: twice as many as shrink any triangle to a rounding error of its own
+size; beyond this the claim fails."""
 
 MOST_TRIANGLES = 2**16
-"""Of one level; more would take too long, and the claim fails."""
+"""Most triangles of one level; with more the test takes too long, and the claim fails."""
 
 BLOCKS = 16
-"""Parts in which a level is looked at, to bound memory."""
+"""Number of blocks in which the triangles of a level are tested, which bounds memory."""
 
 Shapes = list[list[Floats]]
 
@@ -88,7 +88,7 @@ def depths(shape: Rings, parts: Shapes, deep: float) -> tuple[float, float]:
 
 
 def _shallow(shape: Rings, rings: list[Floats]) -> float:
-    """Return how far P's boundary keeps from A's, rounded down, once P is known to be inside A."""
+    """Return the distance of P's boundary from A's, rounded down, after a check that P is in A."""
     for ring in rings:
         if sum(inside_ring(ring[0], outline) for outline in shape) % 2 == 0:
             raise ClaimError("the shrunk body is not inside the robot")
@@ -124,7 +124,7 @@ def _triangles(rings: list[Floats]) -> Floats:
 
 
 def _check_near(triangles: Floats, start: Floats, end: Floats, deep: float) -> None:
-    """Check that each triangle can be cut into ones that each have an edge within `deep`."""
+    """Check that each triangle can be cut into triangles that each have an edge within `deep`."""
     for _ in range(DEPTH):
         far = [_far(some, start, end, deep) for some in np.array_split(triangles, BLOCKS)]
         triangles = _halved(triangles[np.concatenate(far)])
@@ -132,7 +132,7 @@ def _check_near(triangles: Floats, start: Floats, end: Floats, deep: float) -> N
             return
         if len(triangles) > MOST_TRIANGLES:
             break
-    raise ClaimError("whether the shrunk body leaves out more than its depth is open")
+    raise ClaimError("it is undecided whether the shrunk body leaves out more than its depth")
 
 
 def _far(triangles: Floats, start: Floats, end: Floats, deep: float) -> NDArray[np.bool_]:

@@ -1,9 +1,9 @@
-"""Where the way is narrowest: a saddle of the clearance, looked for along a path.
+"""The narrowest place of a way: a saddle of the clearance, searched along a path.
 
-A certified path hugs obstacles where it need not, so the place of its least clearance says little.
-At the bottleneck no sideways motion helps: from every configuration of the path the clearance is
-climbed within the plane across the path (in x, y and reach times theta), and of the summits the
-lowest is the bottleneck. In plain doubles; it claims nothing.
+A certified path runs closer to obstacles than it must, so the place of its least clearance says
+little. At the bottleneck no sideways motion helps. So from every configuration of the path the
+clearance is climbed within the plane across the path (in x, y and reach times theta), and the
+lowest summit is the bottleneck. The computation uses plain doubles and claims nothing.
 """
 
 from __future__ import annotations
@@ -14,29 +14,29 @@ from collections.abc import Callable
 import numpy as np
 
 from planar_planner.margins.body import Floats
-from planar_planner.margins.surroundings import Contact, Surroundings, placed, shape_of
+from planar_planner.margins.surroundings import NearestPoints, Surroundings, placed, shape_of
 from planar_planner.problem.make import Polygons, Problem
 from planar_planner.tolerances import LAST_STEP
 
 SAMPLES = 200
-"""Configurations of the path that are climbed from, at most."""
+"""Most configurations of the path from which a climb starts."""
 
 DIRECTIONS = 8
-"""Tried at each step of a climb; turned between steps, so that narrow ridges are found."""
+"""Directions tried at each step of a climb; they turn between steps, so narrow ridges are found."""
 
 FIRST_STEP = 0.05
-"""Of a climb, relative to the robot's reach; `LAST_STEP` ends it."""
+"""First step of a climb, relative to the robot's reach; `LAST_STEP` ends the climb."""
 
 MOST_STEPS = 100
-"""Of a climb: five reaches up, which ends a climb into the open."""
+"""Most steps of a climb: five reaches up, which ends a climb into open space."""
 
 CLOSE = 0.02
-"""Contacts are what is no farther than this part of the reach beyond the nearest: a climb ends a
-little beside the exact summit, where all of a bottleneck's contacts are equally near."""
+"""Contacts are edges that are at most this part of the reach farther than the nearest edge. A climb
+ends a little beside the exact summit, where all contacts of a bottleneck are equally near."""
 
 Clearance = Callable[[Floats], float]
 Climbed = tuple[float, Floats]
-Found = tuple[Floats, float, tuple[Contact, ...]]
+Found = tuple[Floats, float, tuple[NearestPoints, ...]]
 
 
 def find_bottleneck(
@@ -47,13 +47,13 @@ def find_bottleneck(
     Parameters
     ----------
     path : (N, 3)
-        Waypoints; a single one is looked at as it is.
+        Waypoints; a single one is measured without a climb.
     robot : Polygons
-        Whose clearance counts.
+        The robot whose clearance counts.
     around : Surroundings
-        What it may touch.
+        The edges that it may touch.
     problem : Problem
-        Says where the reference point may be, and whether the robot may turn.
+        Gives the bounds of the reference point, and whether the robot may turn.
     """
     reach = float(np.hypot(*robot.coords.T).max())
     shape = shape_of(robot)
@@ -74,7 +74,7 @@ def find_bottleneck(
 def _lowest_summit(
     clearance: Clearance, samples: Floats, tangents: Floats, reach: float, rotation: bool
 ) -> Climbed | None:
-    """Climb from each sample, the lowest first, until no sample left can have a lower summit."""
+    """Climb from each sample, the lowest first, until no other sample can have a lower summit."""
     heights = np.array([clearance(q) for q in samples])
     lowest: Climbed | None = None
     for i in np.argsort(heights, kind="stable").tolist():
@@ -120,9 +120,9 @@ def _across(tangent: Floats, reach: float, *, rotation: bool) -> Floats:
 def _climb(
     clearance: Clearance, q: Floats, height: float, across: Floats, enough: float
 ) -> Climbed:
-    """Climb by steps that halve when none helps, until higher than `enough`."""
+    """Climb until the clearance exceeds `enough`; steps are halved when no direction helps."""
     step = FIRST_STEP
-    for turn in range(MOST_STEPS):  # radians: no multiple of the spacing of directions
+    for turn in range(MOST_STEPS):  # in radians, so not a multiple of the spacing of directions
         if step < LAST_STEP or height >= enough:
             break
         angles = turn + np.arange(DIRECTIONS) * (math.tau / DIRECTIONS)

@@ -3,12 +3,12 @@
 A(m) = A + D_m, the Minkowski sum with a disc, for m >= 0; for m < 0 the erosion, the points of A at
 distance |m| or more from A's complement. A is the union of the robot's polygons.
 
-- *Grown.* (K_1 + ... + K_n) + D = (K_1 + D) + ... + (K_n + D), + of bodies their union: the body is
-  the union of the convex pieces, exact by `pdg`, each grown (`rounded_hull`). Holes fill by
-  themselves, as the pieces round them meet.
-- *Shrunk.* Polygons that lie apart are shrunk each for itself: a disc inside the union is inside
-  one of them, being connected. For polygons that touch or overlap that would be wrong along what
-  they share; they are refused.
+- *Grown.* (K_1 ∪ ... ∪ K_n) + D = (K_1 + D) ∪ ... ∪ (K_n + D): the body is the union of the convex
+  pieces, which `pdg` computes exactly, each grown (`rounded_hull`). Holes close as the pieces round
+  them meet.
+- *Shrunk.* Polygons that lie apart are shrunk separately: a disc inside the union is inside one of
+  them, because it is connected. For polygons that touch or overlap this would be wrong along their
+  common part, so they are refused.
 
 A free A(m) keeps the robot |m| away from everything if m >= 0.
 """
@@ -27,8 +27,8 @@ from planar_planner.margins.rounded_hull import circumscribed, inner_radius, out
 from planar_planner.problem.make import Polygons
 
 GAP = 0.2
-"""outer - inner as a part of the bracket that a body is to halve: a query leaves at most
-(1 + GAP) / 2 of the bracket. A smaller gap costs vertices, by its inverse square root."""
+"""outer - inner as a part of the bracket that a body halves: a query leaves at most (1 + GAP) / 2
+of the bracket. The number of vertices grows with the inverse square root of the gap."""
 
 
 class Offsets:
@@ -55,14 +55,14 @@ class Offsets:
         gap = GAP * (high - low)
         if middle == 0.0:
             return Body(self._robot, 0.0, 0.0)
-        gap = min(gap, abs(middle))  # so that a body is grown or shrunk, not both
+        gap = min(gap, abs(middle))  # a body is then either grown or shrunk, not both
         return self._grown(middle, gap) if middle > 0.0 else self._shrunk(-middle, gap)
 
     def raised(self, body: Body, clearance: float) -> float:
-        """Return inner plus the clearance of a grown body, rounded down; of a shrunk one, inner.
+        """Return inner plus the clearance for a grown body, rounded down; inner for a shrunk one.
 
-        (A + D_m) + D_c = A + D_{m + c}. There is no such law for a body that was shrunk: growing
-        it again does not bring back what was lost.
+        (A + D_m) + D_c = A + D_{m + c}. No such law holds for a shrunk body, because growing it
+        again does not restore the parts that it has lost.
         """
         if body.inner < 0.0 or not math.isfinite(clearance):
             return body.inner

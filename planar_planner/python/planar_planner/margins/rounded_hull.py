@@ -1,8 +1,8 @@
 """A convex polygon grown by a distance, between an inner and an outer polygon's radius.
 
 K is a convex polygon, or a segment. K + D_r, the sum with a disc, has round corners; Q is the
-polygon circumscribed about it whose edges touch each round corner in equal steps of angle. What is
-claimed of Q is measured on its rounded vertices, not assumed of their construction:
+polygon circumscribed about it whose edges touch each round corner in equal steps of angle. The
+claims about Q are measured on its rounded vertices, not assumed from their construction:
 
 - K + D_inner is inside Q: for every edge of Q all of K is to its left by at least `inner`. So
   K + D_inner is in the intersection of these half-planes, which is in the simple polygon Q.
@@ -25,8 +25,8 @@ import numpy as np
 from planar_planner.margins.body import UNIT_ROUNDOFF, ClaimError, Floats
 
 MOST_STEPS = 4096
-"""Edges that a full turn may take. excess / radius = (tau / MOST_STEPS)^2 / 8 = 3e-7, so tolerances
-from about two millionths of the margin can be met; queries about larger bodies take too long."""
+"""Most edges of a full turn. excess / radius = (tau / MOST_STEPS)^2 / 8 = 3e-7, so tolerances from
+about two millionths of the margin can be met; queries with more edges take too long."""
 
 
 def circumscribed(ring: Floats, radius: float, excess: float) -> Floats:
@@ -42,7 +42,7 @@ def circumscribed(ring: Floats, radius: float, excess: float) -> Floats:
     Raises
     ------
     ClaimError
-        If that takes more than `MOST_STEPS` edges a turn.
+        If the polygon needs more than `MOST_STEPS` edges per turn.
     """
     edges = np.roll(ring, -1, axis=0) - ring
     angles = np.arctan2(-edges[:, 0], edges[:, 1])  # of the outward normals
@@ -50,7 +50,7 @@ def circumscribed(ring: Floats, radius: float, excess: float) -> Floats:
     turns = np.mod(angles - before, math.tau)
     step = 2.0 * math.acos(radius / (radius + excess))
     if step * MOST_STEPS < math.tau:
-        raise ClaimError("the tolerance is too small beside the margin: a body has too many edges")
+        raise ClaimError("the width is too small beside the margin: a body has too many edges")
     points: list[Floats] = []
     for vertex, first, turn in zip(ring, before, turns, strict=True):
         count = max(1, math.ceil(turn / step))

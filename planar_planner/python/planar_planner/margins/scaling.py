@@ -1,12 +1,12 @@
 """The robot scaled about a point: the family A(m) of `--by scale`.
 
 A(m) = c + m (A - c), m >= 0, c the reference point (the origin of the robot's frame) or the
-centroid. m = 1 is the robot as it is; at m = 0 it is a point, which is always free.
+centroid. m = 1 is the robot at its own size; m = 0 is a point, which is always free.
 
-These bodies grow with m if A is star-shaped about c: if every point of A is seen from c. That is so
-if c is to the left of, or on, every edge of an anticlockwise outline without holes (exact). Else a
-larger robot is no superset of a smaller one; the two verdicts are proven all the same, each for its
-own factor, but between the two factors there may be more than one change.
+These bodies grow with m if A is star-shaped about c, that is, if every point of A is visible from
+c. A is star-shaped if c is to the left of, or on, every edge of an anticlockwise outline without
+holes (exact). Otherwise a larger robot is not a superset of a smaller one. Both verdicts are still
+proven, each for its own factor, but there may be more than one change between the two factors.
 
 *Rounding.* Scaled vertices are rounded, each by some distance up to e. Let D_k be a disc about c of
 radius k > 0 to the left of every edge, so that A is star-shaped about each of its points. Then
@@ -54,14 +54,14 @@ class Scalings:
         if self._kernel == 0.0:
             return Body(polygons_of(shapes), factor, factor)
         largest = float(np.abs(self.centre).max()) + factor * self.reach
-        # Three roundings a coordinate, each of u times what is added or multiplied.
+        # There are three roundings per coordinate, each of u times an operand of a sum or product.
         error = 8.0 * UNIT_ROUNDOFF * largest / self._kernel
         return Body(polygons_of(shapes), factor - error, factor + error)
 
     def raised(self, body: Body, clearance: float) -> float:
-        """Return up to which factor a path holds that keeps the body this far from obstacles.
+        """Return the factor up to which a path holds that keeps the body this far from obstacles.
 
-        (m + t) A is inside m A + D_{t R}, R the largest distance of a vertex from c.
+        (m + t) A is inside m A + D_{t R}, where R is the largest distance of a vertex from c.
         """
         if not self.monotone or not math.isfinite(clearance):
             return body.inner
@@ -70,7 +70,7 @@ class Scalings:
 
 
 def _sees(shape: list[Floats], centre: Floats) -> bool:
-    """Whether c is to the left of or on every edge of the one, anticlockwise ring; exact."""
+    """Return whether c is to the left of or on each edge of the one, anticlockwise ring; exact."""
     if len(shape) > 1:
         return False
     cx, cy = (Fraction(float(v)) for v in centre)

@@ -10,7 +10,7 @@ import numpy as np
 from planar_planner.margins.body import UNIT_ROUNDOFF, Floats
 
 BLOCK = 2**20
-"""Point-segment pairs that are in memory at a time; of no influence on the values."""
+"""Point-segment pairs that are in memory at a time; the number does not affect the values."""
 
 
 def edges_of(rings: Sequence[Floats]) -> tuple[Floats, Floats]:
@@ -37,18 +37,18 @@ def distances(points: Floats, start: Floats, end: Floats) -> Iterator[Floats]:
 def rounding_of(*clouds: Floats) -> float:
     """Return a bound on the error of `distances` among these points.
 
-    M is the largest |coordinate|, so |d|, |e| <= 2 sqrt(2) M. A fraction t off by f moves the foot
-    by f |e| along the segment. t = d.e / e.e: each difference carries one rounding, a sum of two
-    products two more, the quotient one, so t is off by at most 8 u |d| / |e| and the foot by
-    8 u |d| < 23 u M. The differences d and e are off by 2 u M a coordinate, t e and d - t e add 2 u
-    and 4 u of M; that is 2 sqrt(2) 8 u M < 23 u M at most for the vector. hypot is right to 2 u of
-    at most 3 M. The sum is below 64 u M.
+    M is the largest |coordinate|, so |d|, |e| <= 2 sqrt(2) M. An error f of the fraction t moves
+    the foot by f |e| along the segment. t = d.e / e.e: each difference carries one rounding, a sum
+    of two products two more and the quotient one, so the error of t is at most 8 u |d| / |e| and
+    that of the foot 8 u |d| < 23 u M. The errors of the differences d and e are 2 u M per
+    coordinate, and t e and d - t e add 2 u and 4 u of M; that is at most 2 sqrt(2) 8 u M < 23 u M
+    for the vector. hypot errs by at most 2 u of at most 3 M. The sum is below 64 u M.
     """
     return 64.0 * UNIT_ROUNDOFF * max(float(np.abs(cloud).max()) for cloud in clouds if len(cloud))
 
 
 def inside_ring(point: Floats, ring: Floats) -> bool:
-    """Whether a point that is on no edge is inside a ring; exact, by crossings of a ray."""
+    """Return whether a point that is on no edge is inside a ring; exact, by a ray's crossings."""
     x, y = Fraction(float(point[0])), Fraction(float(point[1]))
     inside = False
     corners = [(Fraction(px), Fraction(py)) for px, py in ring.tolist()]

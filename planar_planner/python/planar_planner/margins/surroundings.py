@@ -1,4 +1,4 @@
-"""What the robot may touch, for distances in plain doubles: where, and how far."""
+"""The edges that the robot may touch, for distances in plain doubles."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from planar_planner.problem.make import Polygons, Problem
 from planar_planner.scene.fields import Configuration
 
 WORKSPACE = -1
-"""Stands for the workspace's outline where the index of an obstacle stands."""
+"""Index of the workspace's outline, in the place of an obstacle's index."""
 
 
 @dataclass(frozen=True)
-class Contact:
+class NearestPoints:
     """The nearest points of the robot and of an edge that it must not cross.
 
     Attributes
@@ -26,9 +26,9 @@ class Contact:
     obstacle : int
         Index in the scene's list of obstacles; -1 for the workspace's outline.
     robot_point, obstacle_point : (x, y)
-        In the world, scene's unit.
+        Points in the world frame, in the scene's unit.
     distance : float
-        Between the two.
+        Distance between the two.
     """
 
     obstacle: int
@@ -40,10 +40,10 @@ class Contact:
 class Surroundings:
     """Edges of the obstacles and of the workspace's outline.
 
-    A placed vertex is off by at most 8 u (|a| + |t|) a coordinate: sine and cosine to 1 ulp, two
-    products, two sums. The distance of a point from a segment adds at most 16 u of the largest
-    coordinate (a cross product of differences, divided by a length). 64 u of the largest
-    coordinate is more than both, for either coordinate: `rounding`.
+    The error of a placed vertex is at most 8 u (|a| + |t|) per coordinate: sine and cosine to 1
+    ulp, two products, two sums. The distance of a point from a segment adds at most 16 u of the
+    largest coordinate (a cross product of differences, divided by a length). `rounding` is 64 u of
+    the largest coordinate, which is more than both for either coordinate.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -63,28 +63,28 @@ class Surroundings:
         self._extent = float(np.abs(edges).max()) if len(edges) else 0.0
 
     def rounding(self, robot: Polygons, q: Configuration) -> float:
-        """Return a bound on the error of `clearance`, length."""
+        """Return a bound on the error of `clearance`, a length."""
         reach = float(np.hypot(*robot.coords.T).max()) + max(abs(q[0]), abs(q[1]))
         return 64.0 * UNIT_ROUNDOFF * max(reach, self._extent)
 
     def clearance(self, body: shapely.Geometry) -> float:
-        """Return the distance of a placed body from all edges, infinite from none."""
+        """Return the distance of a placed body from all edges; infinite if there are none."""
         if len(self._edges) == 0:
             return math.inf
         found = self._tree.query_nearest(body, return_distance=True, all_matches=False)
         return float(found[1][0])
 
-    def contacts(self, body: shapely.Geometry, within: float) -> tuple[Contact, ...]:
+    def contacts(self, body: shapely.Geometry, within: float) -> tuple[NearestPoints, ...]:
         """Return the nearest points of edges within a distance, nearest first.
 
-        Of edges that meet in the nearest point one stands for all.
+        If several edges meet in the nearest point, the result has only one of them.
         """
-        found: dict[tuple[int, float, float], Contact] = {}
+        found: dict[tuple[int, float, float], NearestPoints] = {}
         for i in sorted(self._tree.query(body, predicate="dwithin", distance=within).tolist()):
             line = shapely.shortest_line(body, self._edges[i])
             (ax, ay), (bx, by) = line.coords
             owner = int(self._owners[i])
-            contact = Contact(owner, (ax, ay), (bx, by), float(line.length))
+            contact = NearestPoints(owner, (ax, ay), (bx, by), float(line.length))
             found.setdefault((owner, bx, by), contact)
         return tuple(sorted(found.values(), key=lambda c: (c.distance, c.obstacle)))
 

@@ -1,4 +1,4 @@
-"""A margin as text for people."""
+"""The text of a margin, for people."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from planar_planner.errors import one_line
 
 if TYPE_CHECKING:
     from planar_planner.margins.result import Margin
-    from planar_planner.margins.surroundings import Contact
+    from planar_planner.margins.surroundings import NearestPoints
 
 _VERDICTS = {
-    "path": "a path remains",
+    "path": "a path exists",
     "no_path": "no path, proven",
     "undecided": "undecided",
 }
 _BINDINGS = {
-    "way": "there is no way through for a larger one",
-    "start": "a larger one collides at the start",
-    "goal": "a larger one collides at the goal",
-    "size": "only a robot shrunk to nothing passes",
-    "none": "nothing is in the way",
+    "way": "a larger robot has no way through",
+    "start": "a larger robot collides at the start",
+    "goal": "a larger robot collides at the goal",
+    "size": "only a robot that is shrunk to nothing passes",
+    "none": "no obstacle is in the way",
 }
 
 
@@ -37,7 +37,7 @@ def margin_headline(margin: Margin, style: Callable[[str], str] = _as_it_is) -> 
 
 
 def margin_details(margin: Margin) -> str:
-    """Return what bounds the margin, where, and what it took."""
+    """Return what bounds the margin, the narrowest place, and the work."""
     counts = margin.counts
     lines = [
         margin.reason and f"stopped short: {margin.reason}",
@@ -54,20 +54,20 @@ def margin_details(margin: Margin) -> str:
 
 def _range(margin: Margin) -> str:
     if math.isinf(margin.lower):
-        return "the robot can be as large as you like"
-    digits = 2 + max(0, math.ceil(-math.log10(margin.tolerance)))
+        return "the robot can have any size"
+    digits = 2 + max(0, math.ceil(-math.log10(margin.width)))
     low, high = round(margin.lower, digits), round(margin.upper, digits)
     what = "scaled by" if margin.by == "scale" else "grown by"
     if margin.by == "offset" and margin.upper <= 0.0:
         what, low, high = "shrunk by", -high, -low
-        return f"a path for the robot {what} {high!r}, none by {low!r}"
-    return f"a path for the robot {what} {low!r}, none by {high!r}"
+        return f"a path for the robot {what} {high!r}, no path for one {what} {low!r}"
+    return f"a path for the robot {what} {low!r}, no path for one {what} {high!r}"
 
 
 def _monotone_line(margin: Margin) -> str:
     if margin.monotone:
         return ""
-    return "the robot is not star-shaped about the centre: above, paths may come back"
+    return "the robot is not star-shaped about the centre: a larger robot may have a path again"
 
 
 def _bottleneck_lines(margin: Margin) -> list[str]:
@@ -81,7 +81,7 @@ def _bottleneck_lines(margin: Margin) -> list[str]:
     ]
 
 
-def _name(contact: Contact) -> str:
+def _name(contact: NearestPoints) -> str:
     return "the workspace" if contact.obstacle < 0 else f"obstacles[{contact.obstacle}]"
 
 

@@ -1,7 +1,7 @@
-"""OMPL's sampling planners beside ours, and ours as a planner of OMPL's.
+"""OMPL's sampling planners beside this planner, and this planner as one of OMPL's.
 
-The public names need OMPL (extra ``planar-planner[ompl]``), which is imported when one of them is
-first used.
+The public names need OMPL (extra ``planar-planner[ompl]``). The first use of one of them imports
+OMPL.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ __all__ = ["CompletePlanner", "Setup", "make_sampler", "set_up", "waypoints_of"]
 
 
 def __getattr__(name: str) -> Any:
-    """Import a public name, and OMPL with it, on first use: the command line starts without."""
+    """Import a public name, and OMPL with it, on first use; the command line starts without it."""
     if name not in __all__:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     from planar_planner.ompl import planner

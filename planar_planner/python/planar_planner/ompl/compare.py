@@ -1,8 +1,8 @@
-"""Ours and OMPL's planners on the same scene in one run: times, counts, soundness of paths.
+"""Comparison with OMPL on the same scene: times, counts and soundness of paths.
 
-Both clocks start with the scene's polygons in memory: ours ends when the answer is certified, a
-sampler's with the end of its solve. Every path that a sampler calls exact is checked again along
-its whole length by the core's continuous check, which no resolution of a motion validator can fool.
+Both clocks start with the scene's polygons in memory. This planner's clock ends when the answer is
+certified, and a sampler's clock ends with its solve. The core's continuous check, which does not
+depend on a motion validator's resolution, checks again every path that a sampler calls exact.
 """
 
 from __future__ import annotations
@@ -22,29 +22,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from planar_planner.errors import OptionsError
-from planar_planner.load import load_scene
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.ompl.samplers import DEFAULT_SAMPLERS, INSTALL_HINT, check_samplers
 from planar_planner.planning.certificate import make_certificate
 from planar_planner.planning.engine import ask, make_core
 from planar_planner.planning.options import Options
 from planar_planner.planning.path_judge import Judge
 from planar_planner.planning.placement import check_placements
-from planar_planner.planning.planner import SceneLike
 from planar_planner.planning.result import Result, make_result
 from planar_planner.problem.make import Problem, make_problem, point_goal
 from planar_planner.scene.model import Scene
 
 GRACE = 30.0
-"""Seconds beyond the limit after which a sampler that does not heed it is ended; importing OMPL and
-reading the scene are in it."""
+"""Seconds beyond the limit after which a sampler that exceeds it is ended; they include the import
+of OMPL and the reading of the scene."""
 
 MAX_SEED = 2**31
-"""OMPL's generators take 32 bits, and not 0."""
+"""OMPL's generators take a seed of 32 bits other than 0."""
 
 
 @dataclass(frozen=True)
 class Settings:
-    """What is compared, and how.
+    """Settings of a comparison.
 
     Attributes
     ----------
@@ -52,17 +51,17 @@ class Settings:
         Names of OMPL's planners.
     runs : int
         Repetitions, each sampler's with a seed of its own.
-    limit : float
+    timeout : float
         Seconds for one run, ours too.
     resolution : float
-        Of OMPL's motion validation, as a fraction of the space's extent; in (0, 1].
+        Resolution of OMPL's motion validation, as a fraction of the space's extent; in (0, 1].
     seed : int
-        Run i (from 0) of a sampler has the seed ``seed + i + 1``.
+        Run i (from 0) of a sampler uses the seed ``seed + i + 1``.
     """
 
     planners: tuple[str, ...] = DEFAULT_SAMPLERS
     runs: int = 11
-    limit: float = 10.0
+    timeout: float = 10.0
     resolution: float = 0.002
     seed: int = 0
 
@@ -70,8 +69,8 @@ class Settings:
         object.__setattr__(self, "planners", check_samplers(self.planners))
         if not 1 <= self.runs <= 10_000:
             raise OptionsError(f"runs must be between 1 and 10000, not {self.runs!r}")
-        if not (self.limit > 0 and math.isfinite(self.limit)):
-            raise OptionsError(f"limit must be positive and finite, not {self.limit!r}")
+        if not (self.timeout > 0 and math.isfinite(self.timeout)):
+            raise OptionsError(f"timeout must be positive and finite, not {self.timeout!r}")
         if not 0 < self.resolution <= 1:
             raise OptionsError(f"resolution must be in (0, 1], not {self.resolution!r}")
         if not 0 <= self.seed <= MAX_SEED:
@@ -80,19 +79,19 @@ class Settings:
 
 @dataclass(frozen=True)
 class OurRun:
-    """One query of ours, on a fresh core. Times in seconds.
+    """One query of this planner, on a fresh core; times are in seconds.
 
     Attributes
     ----------
     seconds : float
-        From the scene's polygons in memory until the answer is certified, by the wall clock:
-        building the core, and search. From then on the certificate can be exported.
+        Wall-clock time from the scene's polygons in memory until the answer is certified: building
+        the core, and search. From then on the certificate can be exported.
     core_seconds : float
-        Of which the core took by its own clock.
+        The part of it that the core took, by its own clock.
     certificate_seconds : float
-        Exporting the certificate then, evidence and JSON object; not part of `seconds`.
+        Time of exporting the certificate, evidence and JSON object; not part of `seconds`.
     length, turning : float
-        Of the path; 0 without one.
+        Length and turning of the path; 0 without a path.
     """
 
     verdict: str
@@ -113,20 +112,21 @@ class SamplerRun:
     Attributes
     ----------
     exact : bool
-        OMPL calls the solution exact.
+        Whether OMPL calls the solution exact.
     prepare_seconds : float
-        From the scene's polygons in memory until the planner is set up: building the state check,
-        OMPL's space and its setup, the query, the planner; not a number if the process failed.
+        Time from the scene's polygons in memory until the planner is made: building the state
+        check, OMPL's space and its setup, the query, the planner; not a number if the process
+        failed.
     seconds : float
-        The planner's setup and solve alone; infinite without an exact solution.
+        Time of the planner's setup and solve alone; infinite without an exact solution.
     checks : int
-        State validity checks.
+        Number of state validity checks.
     soundness : str
         ``sound``, ``collides`` or ``unknown`` (`Judge.path`); empty without an exact solution.
     check_ns, native_check_ns : float
-        One check as OMPL calls it through Python, and of itself; nanoseconds.
+        Time of one check as OMPL calls it through Python, and of the check itself; nanoseconds.
     error : str
-        Why there is no answer, if the process failed.
+        The reason for a missing answer, if the process failed.
     """
 
     planner: str
@@ -144,7 +144,7 @@ class SamplerRun:
 
     @property
     def total_seconds(self) -> float:
-        """Over the span that `OurRun.seconds` has; infinite without an exact solution."""
+        """Time over the same span as `OurRun.seconds`; infinite without an exact solution."""
         return self.prepare_seconds + self.seconds if self.exact else math.inf
 
 
@@ -155,7 +155,7 @@ class SceneComparison:
     Attributes
     ----------
     reading_seconds : float
-        What a user waits for besides: checking the scene in Python; the same for all planners.
+        Further time that a user waits: checking the scene in Python; the same for all planners.
     """
 
     scene: str
@@ -165,12 +165,12 @@ class SceneComparison:
 
 
 def require_ompl() -> None:
-    """Find out before the work that OMPL is missing.
+    """Check before the work that OMPL is installed.
 
     Raises
     ------
     OptionsError
-        With how to get it.
+        If it is not; the message says how to install it.
     """
     if importlib.util.find_spec("ompl") is None:
         raise OptionsError(INSTALL_HINT)
@@ -184,7 +184,7 @@ def check_scene(scene: SceneLike) -> tuple[Scene, Problem]:
     SceneError
         If it is not valid, or start or goal collide or are out of bounds.
     """
-    loaded = scene if isinstance(scene, Scene) else load_scene(scene)
+    loaded = load_scene(scene)
     problem = make_problem(loaded)
     point_goal(problem, "a comparison with samplers")
     check_placements(make_core(problem), problem, 0.0)
@@ -192,13 +192,13 @@ def check_scene(scene: SceneLike) -> tuple[Scene, Problem]:
 
 
 Stepped = Callable[[str, int, int], None]
-"""Told what is running, how many runs are done, and how many there are."""
+"""Called with what is running, how many runs are done, and how many there are."""
 
 
 def compare(
     scene: SceneLike, settings: Settings, stepped: Stepped | None = None
 ) -> SceneComparison:
-    """Run ours and OMPL's planners on a scene, one after another.
+    """Run this planner and OMPL's planners on a scene, one after another.
 
     Raises
     ------
@@ -212,8 +212,8 @@ def compare(
     loaded, problem = check_scene(scene)
     reading = time.perf_counter() - began
     judge = Judge(problem)
-    run_ours(problem, judge, settings.limit)  # once untimed: imports, the processor's clock
-    ours = tuple(run_ours(problem, judge, settings.limit) for _ in range(settings.runs))
+    run_ours(problem, judge, settings.timeout)  # once untimed: imports, the processor's clock
+    ours = tuple(run_ours(problem, judge, settings.timeout) for _ in range(settings.runs))
     samplers: dict[str, tuple[SamplerRun, ...]] = {}
     for name in settings.planners:
         runs = []
@@ -226,9 +226,9 @@ def compare(
     return SceneComparison(loaded.name, reading, ours, samplers)
 
 
-def run_ours(problem: Problem, judge: Judge, limit: float) -> OurRun:
+def run_ours(problem: Problem, judge: Judge, timeout: float) -> OurRun:
     """Answer the query once on a fresh core, then export the certificate."""
-    options = Options(timeout=limit)
+    options = Options(timeout=timeout)
     began = time.perf_counter()
     core = make_core(problem)
     answer = ask(core, problem, options)
@@ -259,14 +259,14 @@ def run_samplers(
             "scene": scene.to_dict(),
             "planner": planner,
             "seed": seed,
-            "limit": settings.limit,
+            "timeout": settings.timeout,
             "resolution": settings.resolution,
         }
         yield sampler_run(planner, seed, _in_a_process(request), judge)
 
 
 def sampler_run(planner: str, seed: int, answer: dict[str, Any], judge: Judge) -> SamplerRun:
-    """Judge what a process of `planar_planner.ompl.sampler_run`, or a native driver, answered."""
+    """Check the answer of a process of `planar_planner.ompl.sampler_run` or of a native driver."""
     exact = bool(answer.get("exact", False))
     path = answer.get("path", [])
     return SamplerRun(
@@ -286,19 +286,19 @@ def sampler_run(planner: str, seed: int, answer: dict[str, Any], judge: Judge) -
 
 
 def _judged(path: NDArray[np.float64], judge: Judge) -> str:
-    """Return whether a sampler's path is sound; one between other ends is not known to be."""
+    """Return whether a sampler's path is sound; a path between other ends is ``unknown``."""
     return judge.path(path) if judge.joins(path) else "unknown"
 
 
 def _in_a_process(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the answer of one run; a process that fails is a run without an answer."""
+    """Return the answer of one run; a process that fails gives a run without an answer."""
     try:
         done = subprocess.run(
             [sys.executable, "-P", "-m", "planar_planner.ompl.sampler_run"],
             input=json.dumps(request),
             capture_output=True,
             text=True,
-            timeout=2 * request["limit"] + GRACE,
+            timeout=2 * request["timeout"] + GRACE,
             check=False,
         )
     except subprocess.TimeoutExpired:

@@ -1,4 +1,4 @@
-"""What a comparison comes to: medians with quartiles, the table, the JSON object. Needs no OMPL."""
+"""Results of a comparison: medians with quartiles, the table, the JSON object. Needs no OMPL."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ Rows = list[tuple[str, ...]]
 
 @dataclass(frozen=True)
 class Spread:
-    """Median and quartiles; infinite where runs without an answer make them up."""
+    """Median and quartiles; infinite where they fall on runs without an answer."""
 
     lower: float
     median: float
@@ -52,7 +52,7 @@ def spread(values: Iterable[float]) -> Spread:
 
 
 def table(comparison: SceneComparison, settings: Settings) -> str:
-    """Return the runs on a scene as text: ours, each sampler, what stands out."""
+    """Return the runs on a scene as text: this planner, each sampler, and remarks."""
     rows: Rows = [_HEADINGS, _our_row(comparison.ours, settings)]
     rows += [
         _sampler_row(name, runs, settings) for name, runs in comparison.samplers.items() if runs
@@ -101,7 +101,7 @@ def _sampler_row(name: str, runs: Sequence[SamplerRun], settings: Settings) -> t
 
 def _times(seconds: Sequence[float], settings: Settings) -> tuple[str, str]:
     def text(value: float) -> str:
-        return f"> {1e3 * settings.limit:.0f}" if math.isinf(value) else f"{1e3 * value:.3g}"
+        return f"> {1e3 * settings.timeout:.0f}" if math.isinf(value) else f"{1e3 * value:.3g}"
 
     found = spread(seconds)
     return text(found.median), f"{text(found.lower)} to {text(found.upper)}"
@@ -165,7 +165,7 @@ def _ms(seconds: Iterable[float]) -> str:
 def to_json(
     comparisons: Sequence[SceneComparison], settings: Settings, versions: dict[str, str]
 ) -> dict[str, Any]:
-    """Return all runs as a JSON object: finite values only, others as null."""
+    """Return all runs as a JSON object; values that are not finite become null."""
     return {
         "format": FORMAT,
         "version": VERSION,

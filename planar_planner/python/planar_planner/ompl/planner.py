@@ -1,6 +1,6 @@
-"""OMPL and this planner, either way round: scenes as OMPL problems, and ours as an OMPL planner.
+"""Scenes as problems of OMPL, and this planner as one of OMPL's planners.
 
-Importing this module imports OMPL (the extra ``planar-planner[ompl]``); nothing else here does.
+Importing this module imports OMPL (the extra ``planar-planner[ompl]``).
 
 >>> from planar_planner.ompl import CompletePlanner, set_up
 >>> setup = set_up("gear")
@@ -10,8 +10,8 @@ Importing this module imports OMPL (the extra ``planar-planner[ompl]``); nothing
 >>> planner.solve(10.0).asString()
 'Exact solution'
 
-States are the reference point's place in the scene's unit and, where the robot may turn, its yaw in
-radians: SE2StateSpace, or RealVectorStateSpace(2) at the theta of the scene's start.
+A state is the reference point's place in the scene's unit and, if the robot may turn, its yaw in
+radians: the space is SE2StateSpace, or RealVectorStateSpace(2) at the theta of the scene's start.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from planar_planner.load import load_scene
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.ompl.setup import (
     Setup,
     base,
@@ -40,7 +40,7 @@ from planar_planner.ompl.setup import (
 )
 from planar_planner.planning.options import Options
 from planar_planner.planning.path_judge import Judge
-from planar_planner.planning.planner import Planner, SceneLike
+from planar_planner.planning.planner import Planner
 from planar_planner.planning.result import NoPath, PathFound, Result, Undecided
 from planar_planner.problem.make import make_problem, point_goal
 from planar_planner.scene.fields import Configuration
@@ -50,40 +50,41 @@ from planar_planner.tolerances import SHORTEST_LIMIT
 __all__ = ["CompletePlanner", "Setup", "make_sampler", "set_up", "waypoints_of"]
 
 LARGEST_TURN = math.pi / 2
-"""Between two states of a path as OMPL gets it: at half a turn it would not know which way."""
+"""Largest turn between two states of a path for OMPL: at half a turn its direction is ambiguous."""
 
 EXACT_THRESHOLD = sys.float_info.epsilon
-"""OMPL's threshold of a goal that is a state and nothing round it."""
+"""OMPL's threshold of a goal that is exactly one state."""
 
 Status = base.PlannerStatus.PlannerStatusType
 
 
 class CompletePlanner(base.Planner):  # type: ignore[misc]  # OMPL may be absent when types are checked
-    """Our planner as one of OMPL's.
+    """The planner of this package as one of OMPL's planners.
 
-    It plans in the scene, not by the space information's validity checker: the two must mean the
-    same world. A narrower bound of the space than the scene's own holds for the reference point.
+    It plans in the scene and not with the space information's validity checker, so the two must
+    describe the same world. If the space has narrower bounds than the scene, they apply to the
+    reference point.
 
     Parameters
     ----------
     information : ompl.base.SpaceInformation
-        Over SE2StateSpace, or over RealVectorStateSpace(2) for a robot that may not turn; it then
-        has the theta of the scene's start.
+        Space information over SE2StateSpace, or over RealVectorStateSpace(2) for a robot that may
+        not turn, which then has the theta of the scene's start.
     scene : Scene, str, path or mapping
         A loaded scene, or anything that `load_scene` takes. Start and goal come from the problem
         definition.
     options : Options, optional
-        Further limits; the time is `solve`'s.
+        Further limits; the time limit is the argument of `solve`.
 
     Attributes
     ----------
     results : list of PathFound, NoPath or Undecided
-        Our answers of the last `solve`, one for each pair of start and goal that it tried.
+        Answers of the last `solve`, one for each pair of start and goal that it tried.
     certificate : dict or None
         Evidence for the path, or, after INFEASIBLE, for its absence (docs/certificate.md).
-        OMPL's own SolutionNonExistenceProof cannot be filled in: its class is not bound.
+        OMPL's own SolutionNonExistenceProof cannot be filled in, because its class is not bound.
     certificates : list of dict
-        The proofs that no start has a path to any goal, one a pair; the first is `certificate`.
+        The proofs that no start has a path to any goal, one per pair; the first is `certificate`.
 
     Raises
     ------
@@ -102,15 +103,15 @@ class CompletePlanner(base.Planner):  # type: ignore[misc]  # OMPL may be absent
         space = information.getStateSpace()
         self._turning = _turns(space)
         self._options = options or Options()
-        loaded = scene if isinstance(scene, Scene) else load_scene(scene)
+        loaded = load_scene(scene)
         self._planner = Planner(_in_space(loaded, space, turning=self._turning))
         self._judge = Judge(self._planner.problem)
         self._theta = self._planner.problem.start[2]
-        self._state = space.allocState()  # to write in; freeing states from Python ends badly
+        self._state = space.allocState()  # reused: freeing states from Python corrupts memory
         self._forget()
 
     def clear(self) -> None:
-        """Forget the last answers; the cells stay, they hold for any query."""
+        """Forget the last answers; the cells stay, since they are valid for any query."""
         super().clear()
         self._forget()
 
@@ -120,20 +121,21 @@ class CompletePlanner(base.Planner):  # type: ignore[misc]  # OMPL may be absent
         Parameters
         ----------
         limit : float, PlannerTerminationCondition or callable
-            Seconds; or what to ask, about ten times a second, whether to stop.
+            Seconds, or a condition that is evaluated about ten times per second and stops the
+            search.
         interval : float
-            Taken for OMPL's sake; the asking has its own rhythm.
+            Accepted for compatibility with OMPL, and ignored.
 
         Returns
         -------
         ompl.base.PlannerStatus
             EXACT_SOLUTION: a certified path has been added to the problem definition. INFEASIBLE:
-            proven that no start has a path to any goal; see `certificates`. TIMEOUT: `limit` or the
-            options' timeout came first. INVALID_START, INVALID_GOAL: none is free.
-            UNRECOGNIZED_GOAL_TYPE: only goal states can be decided. UNKNOWN: neither could be
-            shown, or the goal is wider than the states to which there is no path; see ``reason`` of
-            the `results`. APPROXIMATE_SOLUTION: OMPL's copy of the path, its yaws wrapped, could
-            not be certified again; the path in `results` is.
+            it is proven that no start has a path to any goal; see `certificates`. TIMEOUT: `limit`
+            or the options' timeout was reached first. INVALID_START, INVALID_GOAL: no start or no
+            goal is free. UNRECOGNIZED_GOAL_TYPE: only goal states can be decided. UNKNOWN: neither
+            could be shown, or the goal is wider than the states to which there is no path; see
+            ``reason`` of the `results`. APPROXIMATE_SOLUTION: OMPL's copy of the path, whose yaws
+            are wrapped, could not be certified again; the path in `results` is certified.
 
         Raises
         ------
@@ -164,7 +166,7 @@ class CompletePlanner(base.Planner):  # type: ignore[misc]  # OMPL may be absent
         return status
 
     def _search(self, pairs: list[tuple[Configuration, Configuration]], clock: _Clock) -> Any:
-        """Answer one pair of start and goal after the other until one has a path."""
+        """Solve one pair of start and goal after the other until one has a path."""
         for start, goal in pairs:
             if clock.has_run_out():
                 return Status.TIMEOUT
@@ -187,7 +189,7 @@ class CompletePlanner(base.Planner):  # type: ignore[misc]  # OMPL may be absent
     def _start_states(self) -> list[Any]:
         """Return the start states that OMPL finds valid.
 
-        Not from the problem definition: its wrappers would free the states that it owns.
+        They are not read from the problem definition, whose wrappers would free its own states.
         """
         inputs = self.getPlannerInputStates()
         inputs.restart()
@@ -199,7 +201,7 @@ class CompletePlanner(base.Planner):  # type: ignore[misc]  # OMPL may be absent
         return found
 
     def _possible(self, states: list[Any]) -> list[Configuration]:
-        """Return the states where the robot does not collide, as far as can be told."""
+        """Return the states where the robot is not known to collide."""
         found = []
         for state in states:
             q = configuration_of(state, self._theta, turning=self._turning)
@@ -210,7 +212,7 @@ class CompletePlanner(base.Planner):  # type: ignore[misc]  # OMPL may be absent
         return found
 
     def _hand_over(self, result: Result, goal: Configuration) -> Any:
-        """Add a path to the problem definition as OMPL can hold it; certify that copy again."""
+        """Add a path to the problem definition in OMPL's form, and certify that copy again."""
         information = self.getSpaceInformation()
         points = _with_small_turns(result.path)
         points[-1, 2] = goal[2]  # the same but for whole turns and rounding
@@ -227,7 +229,7 @@ class CompletePlanner(base.Planner):  # type: ignore[misc]  # OMPL may be absent
 
 
 class _Clock:
-    """The limit of one `solve`: seconds, or a condition to ask."""
+    """The limit of one `solve`: seconds, or a condition to evaluate."""
 
     def __init__(self, limit: Any, longest: float) -> None:
         seconds = longest if callable(limit) else min(float(limit), longest)
@@ -247,7 +249,7 @@ class _Clock:
 
 
 def _turns(space: Any) -> bool:
-    """Whether states of the space have a yaw. Dubins and Reeds-Shepp cars are not ours to plan."""
+    """Return whether states of the space have a yaw; Dubins and Reeds-Shepp cars are refused."""
     if type(space) is base.SE2StateSpace:
         return True
     if type(space) is base.RealVectorStateSpace and space.getDimension() == 2:
@@ -269,11 +271,11 @@ def _in_space(scene: Scene, space: Any, *, turning: bool) -> Scene:
         return scene
     lower = [max(low[k], own[k]) for k in (0, 1)]
     upper = [min(high[k], own[k + 2]) for k in (0, 1)]
-    return replace(scene, reference_bounds=[*lower, *upper])
+    return replace(scene, bounds=[*lower, *upper])
 
 
 def _goal_states(goal: Any) -> list[Any] | None:
-    """Return the states that a goal consists of; None if it is of another kind."""
+    """Return the states of which a goal consists; None if it is of another kind."""
     if type(goal) is base.GoalState:
         return [goal.getState()]
     if type(goal) is base.GoalStates:

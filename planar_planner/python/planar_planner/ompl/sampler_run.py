@@ -1,8 +1,8 @@
 """One run of one of OMPL's planners, in a process of its own: ``python -m`` this module.
 
-A request comes as JSON on standard input, the run goes out as JSON on standard output. A process a
-run, because OMPL seeds its generators once, never releases the interpreter's lock while it solves,
-and prints a report of leaked objects at exit.
+Standard input gives the request as JSON, and standard output receives the run as JSON. Each run has
+a process of its own because OMPL seeds its generators once, never releases the interpreter's lock
+while it solves, and prints a report of leaked objects at exit.
 """
 
 from __future__ import annotations
@@ -18,15 +18,17 @@ from typing import Any
 import numpy as np
 
 from planar_planner.load import load_scene
+from planar_planner.ompl.samplers import import_ompl
 from planar_planner.problem.make import Problem, make_problem
 
 WARM_UP = 0.05
-"""Seconds at most of a first, untimed run: its process is new, whereas ours is timed in a process
-that has answered the query before. Loading code and touching memory are in neither's time."""
+"""Longest time of a first, untimed run, in seconds. The sampler's process is new, whereas this
+planner is timed in a process that has answered the query before. So neither time includes loading
+code and touching memory."""
 OVERHEAD_STATES = 2000
-"""States on which the cost of a validity check is measured after the run."""
+"""Number of states on which the time of a validity check is measured after the run."""
 OVERHEAD_PASSES = 5
-"""The least of so many passes over them counts: what else the machine does only adds."""
+"""Number of passes over them; the least time counts, since other work on the machine only adds."""
 
 
 def run(request: Mapping[str, Any]) -> dict[str, Any]:
@@ -35,7 +37,7 @@ def run(request: Mapping[str, Any]) -> dict[str, Any]:
     Parameters
     ----------
     request : mapping
-        ``scene`` (content of a scene file), ``planner``, ``seed``, ``limit`` (seconds),
+        ``scene`` (content of a scene file), ``planner``, ``seed``, ``timeout`` (seconds),
         ``resolution``.
 
     Returns
@@ -47,12 +49,10 @@ def run(request: Mapping[str, Any]) -> dict[str, Any]:
         OMPL calls it, through Python) and ``native_check_ns`` (the check itself), ``ompl``
         (version).
     """
-    from planar_planner.ompl.samplers import import_ompl
-
     util = import_ompl("util")
     util.setLogLevel(util.LogLevel.LOG_NONE)
     problem = make_problem(load_scene(request["scene"]))
-    limit = float(request["limit"])
+    limit = float(request["timeout"])
     util.RNG.setSeed(request["seed"])
     _attempt(problem, request, min(WARM_UP, limit))
     util.RNG.setSeed(request["seed"])
@@ -69,7 +69,7 @@ def _attempt(
     began = time.perf_counter()
     setup = set_up_problem(problem, resolution=request["resolution"])
     definition = setup.problem_definition()
-    # Without a cost that satisfies them, planners that optimize run to the limit.
+    # Without a cost that satisfies them, optimizing planners run to the limit.
     objective = base.PathLengthOptimizationObjective(setup.information)
     objective.setCostThreshold(base.Cost(1e300))
     definition.setOptimizationObjective(objective)
@@ -129,7 +129,7 @@ def _cost_of_check(setup: Any) -> dict[str, float]:
 
 
 def main() -> None:
-    """Be that process."""
+    """Run in that process: read the request, run the planner, write the answer."""
     answer = run(json.load(sys.stdin))
     json.dump(answer, sys.stdout, allow_nan=False)
     sys.stdout.flush()

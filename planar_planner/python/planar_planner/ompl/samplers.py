@@ -1,4 +1,4 @@
-"""The sampling planners of OMPL that the comparison knows, by name. Needs no OMPL."""
+"""The names of OMPL's sampling planners that the comparison knows. Needs no OMPL."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ SAMPLERS = (
     "FMT",
     "BFMT",
 )
-"""Geometric planners that OMPL's Python wheel binds; EST, SBL, LazyPRM and AITstar it does not."""
+"""Geometric planners in OMPL's Python wheel, which does not bind EST, SBL, LazyPRM and AITstar."""
 
 DEFAULT_SAMPLERS = ("RRTConnect", "PRM", "KPIECE1", "BITstar")
 
 
 class MissingOmplError(ImportError):
-    """OMPL is needed and not installed; prints as one line that says how to get it."""
+    """OMPL is needed but not installed; the message is one line that says how to install it."""
 
     def __init__(self) -> None:
         super().__init__(INSTALL_HINT)
@@ -61,7 +61,7 @@ def check_samplers(names: Iterable[str]) -> tuple[str, ...]:
     Raises
     ------
     OptionsError
-        If one is unknown, with a likely spelling; or if there is none.
+        If a name is unknown, with a likely spelling, or if there is no name.
     """
     known = {name.lower(): name for name in SAMPLERS}
     found: list[str] = []
@@ -72,5 +72,5 @@ def check_samplers(names: Iterable[str]) -> tuple[str, ...]:
         if known[name.lower()] not in found:
             found.append(known[name.lower()])
     if not found:
-        raise OptionsError("no planner to compare with is named")
+        raise OptionsError("at least one planner must be named")
     return tuple(found)

@@ -13,20 +13,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from planar_planner._core import StateCheck
-from planar_planner.load import load_scene
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.ompl.samplers import check_samplers, import_ompl
 from planar_planner.planning.path_judge import Judge, unwrapped
-from planar_planner.planning.planner import SceneLike
 from planar_planner.problem.make import Problem, make_problem, point_goal
 from planar_planner.scene.fields import Configuration
-from planar_planner.scene.model import Scene
 
 base: Any = import_ompl("base")
 geometric: Any = import_ompl("geometric")
 
 RESOLUTION = 0.002
-"""Of OMPL's motion validation, as a fraction of the space's extent. At OMPL's own default of 0.01 a
-third of the paths that it calls exact collide between the states that it looks at."""
+"""Resolution of OMPL's motion validation, as a fraction of the space's extent. At OMPL's own
+default of 0.01 a third of the paths that it calls exact collide between the states that it
+checks."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,9 +37,10 @@ class Setup:
     problem : Problem
         What the scene states.
     judge : Judge
-        Holds the compiled state validity check, which also counts, and judges whole paths.
+        Holds the compiled state validity check, which also counts its calls, and checks whole
+        paths.
     information : ompl.base.SpaceInformation
-        Set up, with the check and the resolution.
+        The space information after setup, with the check and the resolution.
     """
 
     problem: Problem
@@ -65,21 +65,21 @@ class Setup:
 
 
 def set_up(scene: SceneLike, *, resolution: float = RESOLUTION) -> Setup:
-    """Make an OMPL problem of a scene.
+    """Return the OMPL problem of a scene.
 
     Parameters
     ----------
     scene : Scene, str, path or mapping
         A loaded scene, or anything that `load_scene` takes.
     resolution : float
-        Of OMPL's motion validation, as a fraction of the space's extent.
+        Resolution of OMPL's motion validation, as a fraction of the space's extent.
 
     Returns
     -------
     Setup
-        The space is bounded for the reference point by the same rectangle that our own search has.
-        A turn weighs as much as the farthest point of the robot moves in it: OMPL's default weight
-        of 0.5 would depend on the scene's unit.
+        The same rectangle bounds the reference point as in this planner's own search. The weight of
+        a turn is the motion of the robot's farthest point, because OMPL's default weight of 0.5
+        would depend on the scene's unit.
 
     Raises
     ------
@@ -87,13 +87,13 @@ def set_up(scene: SceneLike, *, resolution: float = RESOLUTION) -> Setup:
         If the scene is not valid.
     """
     return set_up_problem(
-        make_problem(scene if isinstance(scene, Scene) else load_scene(scene)),
+        make_problem(load_scene(scene)),
         resolution=resolution,
     )
 
 
 def set_up_problem(problem: Problem, *, resolution: float = RESOLUTION) -> Setup:
-    """Make an OMPL problem, as `set_up`, of what a scene states."""
+    """Return the OMPL problem of a valid problem, as `set_up` does of a scene."""
     judge = Judge(problem)
     check = judge.check
     space = base.SE2StateSpace() if problem.rotation else base.RealVectorStateSpace(2)
@@ -112,7 +112,7 @@ def set_up_problem(problem: Problem, *, resolution: float = RESOLUTION) -> Setup
 
 
 def validity_checker(check: StateCheck, problem: Problem) -> Callable[[Any], bool]:
-    """Return the check as OMPL calls it: a plain function costs it least."""
+    """Return the check in the form that OMPL calls fastest, a plain function."""
     is_free = check.is_free
     if problem.rotation:
         return lambda state: is_free(state.getX(), state.getY(), state.getYaw())
@@ -127,7 +127,7 @@ def make_sampler(name: str, information: Any) -> Any:
 
 
 def put_configuration(state: Any, q: Configuration, *, turning: bool) -> None:
-    """Write a configuration into a state of SE2 (`turning`) or of the plane."""
+    """Write a configuration into a state of SE2 (if `turning`) or of the plane."""
     if turning:
         state.setXY(q[0], q[1])
         state.setYaw(q[2])
@@ -136,7 +136,7 @@ def put_configuration(state: Any, q: Configuration, *, turning: bool) -> None:
 
 
 def configuration_of(state: Any, theta: float, *, turning: bool) -> Configuration:
-    """Read a state; one of the plane has the given theta."""
+    """Return the configuration of a state; a state of the plane gets the given theta."""
     if turning:
         return state.getX(), state.getY(), state.getYaw()
     return state[0], state[1], theta

@@ -1,8 +1,8 @@
-"""Paths and proofs before an outside witness: the Chipmunk physics engine, by pymunk.
+"""Checks of paths and proofs by the physics engine Chipmunk, used through pymunk.
 
-`replay` puts the robot along a path among the obstacles' shapes; `push` lets a robot that forces
-drive try to get to the goal. Nothing here decides a query, and no claim of the planner rests on it.
-pymunk is imported when one of the two is called (docs/physics.md).
+`replay` places the robot at configurations along a path among the obstacles' shapes. `push` drives
+a robot by random forces and reports whether it reaches the goal. This folder decides no query, and
+no claim of the planner rests on it. Calling either function imports pymunk (docs/physics.md).
 """
 
 from planar_planner.physics.push import push

@@ -1,11 +1,12 @@
-"""Asking Chipmunk what the robot touches, and asking again where its answer cannot be right.
+"""Queries to Chipmunk about what the robot touches, repeated where an answer cannot be right.
 
-Where bodies touch or are aligned to the last bit, Chipmunk's search for the shortest way out (GJK,
-then EPA) may end at a wrong feature. It then reports a depth of up to the size of the bodies where
-there is none (for one in fourteen pairs of small integer polygons that touch exactly), or no
-contact where there is depth (for one in six hundred that overlap). But depth changes by at most a
-point's displacement. So each answer is held against that at a configuration a billionth aside,
-where nothing is aligned to the last bit. If the two disagree, nine are asked; the median counts.
+Where bodies touch or are aligned to the last bit, Chipmunk's search for the shortest separating
+translation (GJK, then EPA) may end at a wrong feature. It then reports a depth of up to the size of
+the bodies where there is none (for one in fourteen pairs of small integer polygons that touch
+exactly), or no contact where there is depth (for one in six hundred that overlap). But the depth
+changes by at most a point's displacement. So each answer is compared with the answer at a
+configuration a billionth of the reach away, where nothing is aligned to the last bit. If the two
+disagree, the median of nine answers counts.
 """
 
 from __future__ import annotations
@@ -23,7 +24,8 @@ from planar_planner.scene.fields import Configuration
 from planar_planner.tolerances import ASIDE
 
 ASKED_ASIDE = 8
-"""Times, if the first two answers disagree. Of all nine the median counts: four may be wrong."""
+"""Number of queries beside the configuration if the first two answers disagree. The median of all
+nine answers counts, so four of them may be wrong."""
 
 
 @dataclass(frozen=True)
@@ -37,8 +39,8 @@ class Findings:
     depths : NDArray, shape (N,)
         Deepest penetration at each configuration; 0 where it touches or is free.
     doubted : int
-        Configurations where two answers disagreed. If the first was the wrong one, the depth is
-        known to two billionths of the reach, and given from below.
+        Configurations where two answers disagreed. If the first answer was the wrong one, the depth
+        is a lower bound, accurate to two billionths of the reach.
     """
 
     contacts: tuple[Contact, ...]
@@ -57,9 +59,9 @@ def find_contacts(world: World, configurations: NDArray[np.float64]) -> Findings
     Parameters
     ----------
     world : World
-        Its robot is moved, and need not be in its space.
+        The function moves its robot, which need not be in the space.
     configurations : (N, 3)
-        In the scene's unit.
+        (x, y, theta), in the scene's unit and radians.
     """
     counts: dict[str, int] = {}
     deepest: dict[str, tuple[float, Configuration]] = {}
@@ -83,9 +85,9 @@ def touched(world: World, q: Configuration) -> tuple[dict[str, float], bool]:
     Parameters
     ----------
     world : World
-        Its robot is moved.
+        The function moves its robot.
     q : (x, y, theta)
-        In the scene's unit, as are the depths.
+        In the scene's unit and radians. The depths are in the scene's unit too.
     """
     aside = ASIDE / world.scale
     first = reported(world, q)
@@ -123,5 +125,5 @@ def reported(world: World, q: Configuration) -> dict[str, float]:
 
 
 def _beside(q: Configuration, aside: float, angle: float) -> Configuration:
-    """Return a configuration that far aside; whole radians are parallel to no edge on purpose."""
+    """Return a configuration at distance `aside`; whole radians avoid the directions of edges."""
     return q[0] + aside * math.cos(angle), q[1] + aside * math.sin(angle), q[2]

@@ -1,4 +1,4 @@
-"""A robot with mass in its space: random pushes, and time in small steps."""
+"""The driver of a robot with mass: it applies random pushes and advances time in small steps."""
 
 from __future__ import annotations
 
@@ -20,43 +20,44 @@ if TYPE_CHECKING:
     import pymunk
 
 SPEED = 2.0
-"""Top speed of the centre of gravity, and of the outermost point about it, in reaches a second."""
+"""Top speed of the centre of gravity and of the outermost point about it, in reaches per second."""
 
 ACCELERATION = 4.0 * SPEED
-"""Of a push, in reaches a second squared: top speed within a quarter of a second."""
+"""Acceleration by a push, in reaches per second squared: it gives top speed in a quarter second."""
 
 DAMPING = 0.5
-"""Of its velocity a robot keeps so much after a second without pushes."""
+"""Share of its velocity that a robot keeps after a second without pushes."""
 
 PUSH_SECONDS = (0.25, 1.5)
-"""A push lasts a random time in this range: from a start to a way of three reaches."""
+"""Range of the random duration of a push, in seconds: from a short start to a travel of three
+reaches."""
 
 GOALWARDS = 0.5
 """Share of pushes that are towards the goal; the others have a random direction and torque."""
 
 ITERATIONS = 30
-"""Of Chipmunk's contact solver in a step; its default of 10 lets corners give way visibly."""
+"""Iterations of Chipmunk's contact solver per step; with its default of 10 corners overlap."""
 
 KEPT_OVERLAP = 0.8
-"""Of an overlap that much is left after a step: Chipmunk's collision_bias, per step."""
+"""Share of an overlap that is left after a step: Chipmunk's collision_bias, per step."""
 
 FASTEST = 4.0
-"""Times the motion of a step at top speed: more is no motion but a fault of Chipmunk. Motion about
-a reference point away from the centre of gravity can look thrice as fast, and being pushed out of
+"""Factor on the motion of a step at top speed. A larger motion is a fault of Chipmunk. Motion about
+a reference point away from the centre of gravity can seem three times as fast, and the push out of
 an overlap adds a fifth of it."""
 
 
 class Driver:
-    """Owns a robot in its space: pushes it, advances time, keeps it below top speed.
+    """Owns a robot in its space: it pushes the robot, advances time and limits the speed.
 
     Parameters
     ----------
     problem : Problem
-        Tells start, goal and bounds of the reference point.
+        Gives start, goal and bounds of the reference point.
     world : World
-        With a dynamic robot; this driver's alone from now on.
+        Has a dynamic robot; the driver takes ownership of it.
     chance : random.Random
-        Source of the pushes.
+        Source of the random pushes.
     """
 
     def __init__(self, problem: Problem, world: World, chance: random.Random) -> None:
@@ -68,7 +69,7 @@ class Driver:
         self._space.add(self._body, *self._body.shapes)
         self._space.damping = DAMPING
         self._space.iterations = ITERATIONS
-        self._space.collision_slop = 0.0  # Chipmunk's 0.1 is a length: overlap that it leaves alone
+        self._space.collision_slop = 0.0  # Chipmunk's default, 0.1, is a length that it ignores
         self._reach = reach(problem.robot) * world.scale
         self._lever = _lever(self._body)
         if problem.reference_bounds is not None:
@@ -81,7 +82,8 @@ class Driver:
     def advance(self, time_step: float) -> None:
         """Push for one step.
 
-        Chipmunk moves, finds contacts, then changes velocities: contacts are those of where it is.
+        Chipmunk moves the robot, finds contacts and then changes velocities, so the contacts belong
+        to the new configuration.
         """
         if self._time >= self._until:
             self._new_push()
@@ -98,7 +100,7 @@ class Driver:
         self._time += time_step
 
     def configuration(self) -> Configuration:
-        """Return where the robot is, in the scene's unit."""
+        """Return the robot's configuration, in the scene's unit and radians."""
         x, y = self._body.position
         return x / self._world.scale, y / self._world.scale, self._body.angle
 
@@ -115,10 +117,10 @@ class Driver:
         return shift + self._reach * abs(now[2] - before[2])
 
     def _take_back(self, before: Configuration) -> None:
-        """Put the robot at rest where it was, but for a billionth of its reach at random.
+        """Put the robot at rest at a random place a billionth of its reach from where it was.
 
         Chipmunk throws a robot when it misjudges a contact of edges that touch to the last bit
-        (`planar_planner.physics.contacts`); beside it, they do not.
+        (`planar_planner.physics.contacts`); at the random place the edges do not touch in this way.
         """
         self.undone += 1
         x, y, theta = before
@@ -168,7 +170,7 @@ class Driver:
 
 def _note_depth(arbiter: pymunk.Arbiter, found: list[float]) -> None:
     if any(shape.filter.mask == _POINT for shape in arbiter.shapes):
-        return  # the disc about the reference point is no part of the robot
+        return  # the disc about the reference point is not a part of the robot
     for point in arbiter.contact_point_set.points:
         found[0] = max(found[0], -point.distance)
 
@@ -179,11 +181,11 @@ def _lever(body: pymunk.Body) -> float:
     return float(np.hypot(*(vertices - np.array(body.center_of_gravity)).T).max())
 
 
-_BODIES, _POINT = 0b01, 0b10  # categories of shapes; each meets its own only
+_BODIES, _POINT = 0b01, 0b10  # categories of shapes; a shape collides only with its own category
 
 
 def _confine(world: World, bounds: Box, radius: float) -> None:
-    """Keep the reference point in its bounds: a disc about it meets walls that far outside them."""
+    """Keep the reference point in its bounds: a disc about it meets walls one radius outside."""
     pymunk = engine()
     bodies = pymunk.ShapeFilter(categories=_BODIES, mask=_BODIES)
     point = pymunk.ShapeFilter(categories=_POINT, mask=_POINT)

@@ -1,4 +1,4 @@
-"""A path from the file that ``solve --json`` writes."""
+"""The reader of a path from the file that ``solve --json`` writes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from planar_planner.errors import SceneError, shown
 from planar_planner.planning.result import FORMAT, VERSION
 from planar_planner.scene import fields
 
-MOST_BYTES = 2**27  # as of a scene file
+MOST_BYTES = 2**27  # the same limit as for a scene file
 
 
 def read_path(file: Path) -> NDArray[np.float64]:
@@ -26,7 +26,7 @@ def read_path(file: Path) -> NDArray[np.float64]:
     Raises
     ------
     SceneError
-        With file and field, if the file is no result or holds no path.
+        If the file is not a result or contains no path; the message names file and field.
     """
     try:
         return _waypoints(_members(file))

@@ -1,8 +1,9 @@
 """A robot that random forces drive among the obstacles, simulated by Chipmunk.
 
-Simulated contact gives way: a robot pressed against a wall is some fraction of a step inside it.
-The step is so small that it cannot jump through a piece unseen, and the deepest penetration of all
-steps is on record, so that whoever got somewhere by squeezing is told from whoever went freely.
+Simulated contact is soft: a robot that is pressed against a wall is some fraction of a step inside
+it. The step is so small that the robot cannot jump through a piece without a detected contact. The
+result states the deepest penetration of all steps, which shows whether a robot squeezed through or
+moved freely.
 """
 
 from __future__ import annotations
@@ -29,22 +30,23 @@ from planar_planner.problem.make import Problem
 from planar_planner.scene.fields import Configuration
 
 if TYPE_CHECKING:
-    from planar_planner.planning.planner import SceneLike
+    from planar_planner.load import SceneLike
 
 STEPS_PER_REACH = 256
 STEPS_PER_WIDTH = 8
-"""A point moves in a step by at most this part of the reach, and of what `Push.thinnest` says. To
-come out on another side than it went in, a piece of the robot must cross at least that width, so
-Chipmunk sees it inside at eight steps, and from the first of them on pushes it back."""
+"""Steps for the robot's reach, and for the width `Push.thinnest`: in one step a point moves by at
+most one such part of either. To come out on another side than it went in, a piece of the robot must
+cross at least that width. So Chipmunk sees it inside at eight steps, and it pushes the piece back
+from the first of them on."""
 
 FRAME = 1.0 / 32.0
-"""Seconds between recorded configurations, about."""
+"""Approximate time between recorded configurations, in seconds."""
 
 NEAR = 0.25
-"""Of the reach: when so near to the goal in travel, the straight rest of the way is looked at."""
+"""Share of the reach: within this travel of the goal the straight motion to the goal is tested."""
 
 MOST_STEPS = 100_000_000
-"""Steps of all tries: hours of simulation."""
+"""Most steps of all tries together: hours of simulation."""
 
 Listener = Callable[[int, float], None]
 """Called with the number of the try and the simulated seconds so far."""
@@ -52,7 +54,7 @@ Listener = Callable[[int, float], None]
 
 @dataclass(frozen=True)
 class _Pace:
-    """How time is cut; the step in the scene's unit, times in simulated seconds."""
+    """How time is divided; the step is in the scene's unit, times are in simulated seconds."""
 
     step: float
     time_step: float
@@ -75,18 +77,18 @@ def push(
     scene : Scene, str, path, mapping or Problem
         A valid problem, a loaded scene, or anything that `load_scene` takes.
     seconds : float
-        Simulated time of a try; top speed is two reaches of the robot a second.
+        Simulated time of a try; top speed is two reaches of the robot per second.
     tries : int
-        Robots, one after the other, each from the start.
+        Number of robots, one after the other, each from the start.
     seed : int
-        Of the pushes. The same seed gives the same tries, bit for bit, on one machine.
+        Seed of the pushes. The same seed gives the same tries, bit for bit, on one machine.
     listener : callable, optional
-        Called now and then with the number of the try and the simulated seconds so far.
+        Called from time to time with the number of the try and the simulated seconds so far.
 
     Returns
     -------
     Push
-        What each try came to.
+        The outcome of each try.
 
     Raises
     ------
@@ -131,13 +133,13 @@ def _pace(problem: Problem, world: World, seconds: float, tries: int) -> _Pace:
     if count * tries > MOST_STEPS:
         raise OptionsError(
             f"{tries} tries of {seconds:g} s are {count * tries:.2g} steps, since the thinnest "
-            f"piece demands steps of {time_step:.2g} s; at most {MOST_STEPS:.0e} are done"
+            f"piece requires steps of {time_step:.2g} s; at most {MOST_STEPS:.0e} are allowed"
         )
     return _Pace(step, time_step, math.ceil(count), max(1, round(FRAME / time_step)))
 
 
 def _ignore(_number: int, _seconds: float) -> None:
-    """Listen to nothing."""
+    """Do nothing; stands in for a listener."""
 
 
 def _try(
@@ -172,7 +174,7 @@ def _try(
 
 
 def _depth(probe: World, driver: Driver, step: float) -> float:
-    """Return the deepest penetration now; one that takes more than a step is asked for again."""
+    """Return the deepest penetration now; one deeper than a step is queried again."""
     depth = driver.depth()
     if depth <= step:
         return depth
@@ -182,6 +184,6 @@ def _depth(probe: World, driver: Driver, step: float) -> float:
 def _may_finish(
     problem: Problem, probe: World, q: Configuration, step: float, deepest: float
 ) -> bool:
-    """Whether the straight way on to the goal is no deeper in collision than the robot was."""
+    """Return whether the straight motion to the goal is no deeper in collision than `deepest`."""
     rest = equal_steps([q, nearest_goal(problem, q)], reach(problem.robot), step)
     return find_contacts(probe, rest).deepest <= max(deepest, rounding(problem, rest))

@@ -1,4 +1,4 @@
-"""The robot put along a path, and what Chipmunk says it touches there."""
+"""The robot at configurations along a path, and what it touches there according to Chipmunk."""
 
 from __future__ import annotations
 
@@ -17,17 +17,16 @@ from planar_planner.physics.world import engine_name, make_world, rounding
 from planar_planner.planning.path_samples import equal_steps, reach, travel
 from planar_planner.problem.make import Problem, make_problem
 from planar_planner.scene.fields import Box
-from planar_planner.scene.model import Scene
 
 if TYPE_CHECKING:
-    from planar_planner.planning.planner import SceneLike
+    from planar_planner.load import SceneLike
 
 STEPS_PER_REACH = 256
-"""Configurations for each reach of the robot that it travels. Between two of them a penetration of
-up to 1/512 of the reach can hide, from Chipmunk and not from the planner."""
+"""Configurations for each reach that the robot travels. Between two of them Chipmunk can miss a
+penetration of up to 1/512 of the reach; the planner's own proofs cannot."""
 
 MOST_STEPS = 10_000_000
-"""Configurations of a replay: some hours of Chipmunk. A smaller step is a mistake."""
+"""Most configurations of a replay: some hours of Chipmunk. A smaller step must be a mistake."""
 
 Floats = NDArray[np.float64]
 
@@ -39,10 +38,10 @@ def replay(
     step: float | None = None,
     tolerance: float = 0.0,
 ) -> Replay:
-    """Put the robot along a path, and report what Chipmunk says it touches.
+    """Place the robot along a path, and report what it touches according to Chipmunk.
 
-    The robot is a kinematic body: it is where the path says, and nothing pushes it off. At each
-    configuration Chipmunk's own collision detection is asked for contacts with every shape of
+    The robot is a kinematic body: it is exactly where the path says, and nothing pushes it away. At
+    each configuration Chipmunk's own collision detection reports contacts with every shape of
     obstacles and workspace.
 
     Parameters
@@ -52,10 +51,10 @@ def replay(
     path : array_like of shape (N, 3)
         Waypoints (x, y, theta) in scene units and radians, theta unwrapped; N >= 1.
     step : float, optional
-        Most travel between two configurations: a bound on how far any point of the robot moves. By
-        default 1/256 of the robot's reach.
+        Most travel between two configurations: a bound on how far any point of the robot moves. The
+        default is 1/256 of the robot's reach.
     tolerance : float
-        Depth that passes as contact, in scene units; below Chipmunk's own accuracy it has no say.
+        Depth that counts as contact, in scene units; it has no effect below Chipmunk's accuracy.
 
     Returns
     -------
@@ -103,14 +102,14 @@ def replay(
 
 
 def problem_of(scene: SceneLike | Problem) -> Problem:
-    """Return the valid problem behind whatever names a scene."""
+    """Return the valid problem of a scene in any form."""
     if isinstance(scene, Problem):
         return scene
-    return make_problem(scene if isinstance(scene, Scene) else load_scene(scene))
+    return make_problem(load_scene(scene))
 
 
 def outside(bounds: Box | None, waypoints: Floats) -> float:
-    """Return how far the reference point leaves its bounds; at waypoints, since between is less."""
+    """Return how far the reference point leaves its bounds; it is farthest at a waypoint."""
     if bounds is None:
         return 0.0
     x, y = waypoints[:, 0], waypoints[:, 1]

@@ -1,4 +1,4 @@
-"""What a replay and a push find, as plain data; lengths in the scene's unit, angles in radians."""
+"""Results of a replay and of a push; lengths are in the scene's unit, angles in radians."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Contact:
     depth : float
         Deepest penetration that Chipmunk reports; 0 if it only touches.
     configuration : (x, y, theta)
-        Where that is.
+        Where the deepest penetration is.
     """
 
     what: str
@@ -39,18 +39,19 @@ class Contact:
 
 @dataclass(frozen=True, eq=False)
 class Replay:
-    """A path before Chipmunk.
+    """The result of a replay of a path in Chipmunk.
 
     Attributes
     ----------
     scene : str
         Name of the scene.
     configurations : NDArray, shape (N, 3)
-        Where Chipmunk looked: equally spaced in travel (`planar_planner.planning.path_samples`).
+        Configurations that Chipmunk checked, equally spaced in travel
+        (`planar_planner.planning.path_samples`).
     depths : NDArray, shape (N,)
-        Deepest penetration at each, as Chipmunk reports it.
+        Deepest penetration at each configuration, as Chipmunk reports it.
     step : float
-        Travel between two of them. A penetration deeper than half of it cannot hide between them.
+        Travel between two configurations. A penetration deeper than half of it cannot be missed.
     length : float
         Travel of the whole path.
     contacts : tuple of Contact
@@ -58,20 +59,20 @@ class Replay:
     deepest : float
         Deepest penetration that Chipmunk reports; 0 without contact.
     doubted : int
-        Configurations where Chipmunk contradicted itself, and was asked again beside them
+        Configurations where two answers of Chipmunk disagreed, so that more were taken beside them
         (`planar_planner.physics.contacts`).
     accuracy : float
-        What rounding in Chipmunk may add to a depth here: up to this it is contact, not collision.
+        Depth that rounding in Chipmunk may add here: a depth up to this is contact, not collision.
     tolerance : float
-        Depth that the user lets pass as contact.
+        Depth that the user accepts as contact.
     outside : float
-        How far the reference point leaves ``reference_bounds``. Computed here, not by Chipmunk:
-        these bound a point and no body.
+        How far the reference point leaves ``reference_bounds``. It is computed here and not by
+        Chipmunk, because these bound a point and not a body.
     start_gap, goal_gap : float
         Travel from the scene's start to the path's, and from the path's goal to the scene's; whole
-        turns count nothing.
+        turns do not count.
     engine : str
-        Chipmunk and pymunk with version.
+        Names and versions of Chipmunk and pymunk.
     """
 
     scene: str
@@ -91,12 +92,12 @@ class Replay:
 
     @property
     def allowed(self) -> float:
-        """What depth counts as contact: Chipmunk's accuracy, or the user's tolerance if larger."""
+        """Depth that counts as contact: Chipmunk's accuracy, or the user's tolerance if larger."""
         return max(self.accuracy, self.tolerance)
 
     @property
     def free(self) -> bool:
-        """Whether nothing was found that is deeper than contact, or that far out of bounds."""
+        """Whether neither the penetration nor the distance out of bounds exceeds `allowed`."""
         return max(self.deepest, self.outside) <= self.allowed
 
     @property
@@ -105,17 +106,17 @@ class Replay:
         return max(self.start_gap, self.goal_gap) <= self.allowed
 
     @property
-    def witnessed(self) -> bool:
-        """Whether the path is free as far as Chipmunk sees, and joins start and goal."""
+    def confirmed(self) -> bool:
+        """Whether Chipmunk finds the path free, and the path joins start and goal."""
         return self.free and self.joins
 
     def to_json(self) -> dict[str, Any]:
-        """Return a JSON object; of the configurations only their number."""
+        """Return a JSON object; of the configurations it holds only the number."""
         return {
             "format": "planar-planner/replay",
             "version": VERSION,
             "scene": self.scene,
-            "witnessed": self.witnessed,
+            "confirmed": self.confirmed,
             "free": self.free,
             "joins": self.joins,
             "start_gap": self.start_gap,
@@ -135,29 +136,29 @@ class Replay:
 
 @dataclass(frozen=True, eq=False)
 class Try:
-    """One robot that forces drove for a time.
+    """The result of one try: a robot that random forces drove for a time.
 
     Attributes
     ----------
     seconds : float
-        Simulated time; shorter than asked for only if it reached the goal.
+        Simulated time; it is shorter than requested only if the robot reached the goal.
     configurations : NDArray, shape (N, 3)
-        Where it was, `Push.frame` seconds apart; the first is the start.
+        Recorded configurations, `Push.frame` seconds apart; the first is the start.
     length : float
-        Travel in all.
+        Total travel.
     farthest : float
-        Greatest distance of the reference point from where it started.
+        Greatest distance of the reference point from its start.
     nearest : float
         Least travel that was left to the goal on a straight line.
     reached : bool
-        Whether it came near the goal, and Chipmunk finds the straight rest of the way no deeper
-        in collision than it had been.
+        Whether the robot came near the goal, and Chipmunk finds the straight motion to the goal no
+        deeper in collision than the robot had been.
     deepest : float
         Deepest penetration that Chipmunk reports at any step.
     outside : float
         How far the reference point was out of ``reference_bounds`` in a recorded configuration.
     undone : int
-        Steps taken back, because Chipmunk had thrown the robot farther than its speed allows.
+        Steps that were undone because Chipmunk had moved the robot farther than its speed allows.
     """
 
     seconds: float
@@ -172,7 +173,7 @@ class Try:
 
     @property
     def worst(self) -> float:
-        """Deepest penetration, or way out of bounds if that is more."""
+        """Deepest penetration, or the distance out of bounds if that is larger."""
         return max(self.deepest, self.outside)
 
     def to_json(self) -> dict[str, Any]:
@@ -183,28 +184,29 @@ class Try:
 
 @dataclass(frozen=True, eq=False)
 class Push:
-    """Robots that forces drove.
+    """The result of a push: several robots that random forces drove.
 
     Attributes
     ----------
     scene : str
         Name of the scene.
     seed : int
-        Of the pushes; each try mixes its number into it, counted from 0.
+        Seed of the pushes; each try combines it with its own number, counted from 0.
     tries : tuple of Try
     distance : float
         Travel from start to goal on a straight line.
     step : float
-        Most that a point of the robot moves in one time step.
+        Longest motion of a point of the robot in one time step.
     time_step, frame : float
         Simulated seconds of a step, and between two recorded configurations.
     thinnest : float
-        Least width of a piece of the robot plus least width of a piece it can meet: to pass a
-        piece, the robot must get deeper into it than half of this. Infinite if it can meet none.
+        Least width of a piece of the robot plus least width of a piece that it can meet: to pass a
+        piece, the robot must get deeper into it than half of this. It is infinite if the robot can
+        meet no piece.
     accuracy : float
-        What rounding in Chipmunk may add to a depth here.
+        Depth that rounding in Chipmunk may add here.
     engine : str
-        Chipmunk and pymunk with version.
+        Names and versions of Chipmunk and pymunk.
     """
 
     scene: str
@@ -220,7 +222,7 @@ class Push:
 
     @property
     def reached(self) -> bool:
-        """Whether a robot reached the goal, by whatever means."""
+        """Whether a robot reached the goal, with or without penetration."""
         return any(run.reached for run in self.tries)
 
     @property

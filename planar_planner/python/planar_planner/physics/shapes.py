@@ -1,7 +1,7 @@
-"""Convex shapes for Chipmunk: pieces of robot, obstacles and of what is outside the workspace.
+"""Convex shapes for Chipmunk: pieces of robot, obstacles and the outside of the workspace.
 
-The pieces are pdg's: exact, with the polygons' own vertices. Scaling is by powers of two, exact
-too. So the shapes that Chipmunk gets are those of the scene, to the last bit.
+`pdg` computes the pieces exactly, with the polygons' own vertices. They are scaled by a power of
+two, which is exact too. So Chipmunk gets the shapes of the scene to the last bit.
 """
 
 from __future__ import annotations
@@ -23,8 +23,9 @@ from planar_planner.scene.fields import Box
 Floats = NDArray[np.float64]
 
 MOST_VERTICES = 128
-"""Of a shape. Chipmunk keeps a vertex's number in 8 bits of its collision id, and its search for
-the depth ends where an id comes again (cpCollision.c): with more than 256 it would end early."""
+"""Most vertices of a shape. Chipmunk keeps a vertex's number in 8 bits of its collision id, and its
+search for the depth ends where an id occurs again (cpCollision.c): with more than 256 vertices it
+would end too early."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,7 @@ class Shape:
 
 
 def scale_of(problem: Problem) -> float:
-    """Return the power of two that brings the robot's reach into [1/2, 1): exact to apply."""
+    """Return the power of two that scales the robot's reach into [1/2, 1); scaling is exact."""
     return math.ldexp(1.0, -math.frexp(reach(problem.robot))[1])
 
 
@@ -47,7 +48,7 @@ def robot_shapes(problem: Problem, scale: float) -> list[Shape]:
 
 
 def obstacle_shapes(problem: Problem, scale: float) -> list[Shape]:
-    """Return the obstacles' shapes and those of what is outside the workspace, in the world."""
+    """Return the shapes of the obstacles and of the workspace's outside, in the world frame."""
     named = [
         (f"obstacles[{index}]", polygon)
         for index, polygon in zip(
@@ -74,7 +75,7 @@ def slabs(box: Box, thickness: float) -> list[Floats]:
 
 
 def least_width(shapes: list[Shape]) -> float:
-    """Return the least width of any of the shapes; infinite of none.
+    """Return the least width of any of the shapes; it is infinite if there are no shapes.
 
     A convex polygon is narrowest across one of its edges.
     """
@@ -89,7 +90,7 @@ def _width(vertices: Floats) -> float:
 
 
 def _thickness(problem: Problem, box: Box) -> float:
-    """Return how thick walls are: the robot, twice its reach wide, cannot span half of one."""
+    """Return the thickness of walls: the robot, twice its reach wide, cannot span half of one."""
     return max(4.0 * reach(problem.robot), (box[2] - box[0]) / 8.0, (box[3] - box[1]) / 8.0)
 
 
@@ -105,7 +106,7 @@ def _outside(problem: Problem, workspace: Polygons) -> list[shapely.Polygon]:
 
 
 def shapely_polygons(polygons: Polygons) -> Iterator[shapely.Polygon]:
-    """Yield polygons as shapely's."""
+    """Yield the polygons as objects of shapely."""
     rings, starts = polygons.ring_starts, polygons.polygon_starts
     for first, last in itertools.pairwise(starts.tolist()):
         outer, *holes = (polygons.coords[rings[r] : rings[r + 1]] for r in range(first, last))
@@ -113,7 +114,7 @@ def shapely_polygons(polygons: Polygons) -> Iterator[shapely.Polygon]:
 
 
 def _pieces(polygons: list[shapely.Polygon]) -> Iterator[Floats]:
-    """Yield pieces of few vertices; one with too many is cut along diagonals."""
+    """Yield convex pieces; a piece with too many vertices is cut along diagonals."""
     for piece in pdg.convex_pieces(polygons):
         for first in range(1, len(piece) - 1, MOST_VERTICES - 2):
             yield np.concatenate([piece[:1], piece[first : first + MOST_VERTICES - 1]])

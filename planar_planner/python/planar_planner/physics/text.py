@@ -1,11 +1,11 @@
-"""What a replay and a push found, as text for people."""
+"""The results of a replay and of a push, as text for people."""
 
 from __future__ import annotations
 
 from planar_planner.errors import one_line
 from planar_planner.physics.report import Push, Replay, Try
 
-MOST_CONTACTS = 5  # listed; the JSON has all
+MOST_CONTACTS = 5  # the text lists this many; the JSON has all
 
 
 def replay_text(found: Replay) -> str:
@@ -13,7 +13,7 @@ def replay_text(found: Replay) -> str:
     lines = [
         replay_headline(found),
         f"  {len(found.configurations):,} configurations, {found.step:.3g} of travel apart: "
-        f"nothing deeper than {found.step / 2:.3g} can hide between them",
+        f"no penetration deeper than {found.step / 2:.3g} can be missed between them",
         f"  deepest penetration {found.deepest:.3g}; up to {found.allowed:.2g} is contact "
         f"({'your tolerance' if found.tolerance > found.accuracy else 'rounding in Chipmunk'})",
     ]
@@ -27,8 +27,8 @@ def replay_text(found: Replay) -> str:
         lines.append(f"  and {len(found.contacts) - MOST_CONTACTS:,} more in contact")
     if found.doubted:
         lines.append(
-            f"  Chipmunk was asked again in {found.doubted:,} configurations, where it contradicts "
-            "itself a billionth of the reach aside"
+            f"  in {found.doubted:,} configurations Chipmunk's answers differed a billionth of the "
+            "reach away, and the median of nine answers counts"
         )
     lines.append(f"  {found.engine}")
     return "\n".join(lines)
@@ -46,9 +46,9 @@ def replay_headline(found: Replay) -> str:
             f"the path is off start and goal by {found.start_gap:.3g} and {found.goal_gap:.3g}"
         )
     if faults:
-        return one_line(f"{found.scene}: not witnessed: {'; '.join(faults)}")
+        return one_line(f"{found.scene}: not confirmed: {'; '.join(faults)}")
     touching = ", touching" if found.contacts else ""
-    return one_line(f"{found.scene}: witnessed: from start to goal without collision{touching}")
+    return one_line(f"{found.scene}: confirmed: from start to goal without collision{touching}")
 
 
 def push_text(found: Push) -> str:
@@ -56,8 +56,8 @@ def push_text(found: Push) -> str:
     lines = [push_headline(found)]
     lines += [f"  {_try_line(found, number, run)}" for number, run in enumerate(found.tries)]
     lines.append(
-        f"  steps of {found.time_step:.3g} s, in which a point moves {found.step:.3g} at most; "
-        f"to pass the thinnest piece takes {found.thinnest:.3g}"
+        f"  in a step of {found.time_step:.3g} s a point moves at most {found.step:.3g}; "
+        f"passing the thinnest piece requires {found.thinnest:.3g}"
     )
     lines.append(f"  {found.engine}")
     return "\n".join(lines)
@@ -76,7 +76,7 @@ def push_headline(found: Push) -> str:
     if found.reached:
         return one_line(
             f"{name}: says nothing: a robot reached the goal, but was {found.deepest:.3g} deep in "
-            "obstacles, since simulated contact gives way"
+            "obstacles, since simulated contact is soft"
         )
     robots = "the robot" if count == 1 else f"none of {count} robots"
     return one_line(f"{name}: {robots} {'did not reach' if count == 1 else 'reached'} the goal")
@@ -85,7 +85,7 @@ def push_headline(found: Push) -> str:
 def _try_line(found: Push, number: int, run: Try) -> str:
     end = "reached the goal" if run.reached else f"{run.nearest:.3g} of {found.distance:.3g} left"
     bounds = f", out of bounds by {run.outside:.3g}" if run.outside else ""
-    undone = f", {run.undone:,} steps taken back" if run.undone else ""
+    undone = f", {run.undone:,} steps undone" if run.undone else ""
     return (
         f"try {number}: {run.seconds:.3g} s, {run.length:.3g} of travel, {run.farthest:.3g} "
         f"from the start; {end}; deepest penetration {run.deepest:.3g}{bounds}{undone}"

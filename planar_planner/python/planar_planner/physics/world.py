@@ -1,4 +1,4 @@
-"""A scene as a Chipmunk space; lengths in there are the scene's times a power of two."""
+"""A scene as a Chipmunk space, where lengths are the scene's times a power of two."""
 
 from __future__ import annotations
 
@@ -29,27 +29,27 @@ if TYPE_CHECKING:
 
 
 CELLS_ACROSS = 256
-"""Cells of the spatial hash from side to side, at most: a wall is entered in all that it covers."""
+"""Most cells of the spatial hash from side to side: a wall is entered in each cell it covers."""
 
 CELLS_FROM_ORIGIN = 2**24
-"""Most cells from the origin: Chipmunk numbers them by 32-bit integers."""
+"""Most cells from the origin: Chipmunk numbers cells by 32-bit integers."""
 
 CELLS_PER_SHAPE = 10
-"""Entries of the hash table a shape; Chipmunk's documentation advises ten."""
+"""Entries of the hash table per shape; Chipmunk's documentation advises ten."""
 
 
 @dataclass(frozen=True)
 class World:
-    """A scene in Chipmunk; the robot is a body with shapes, not yet in the space.
+    """A scene in Chipmunk; the robot is a body with shapes that is not yet in the space.
 
     Attributes
     ----------
     space : pymunk.Space
         Holds the obstacles as static shapes; a shape's collision_type is its index in `names`.
     robot : pymunk.Body
-        Its position is that of the reference point.
+        The robot's body; its position is that of the reference point.
     names : tuple of str
-        What the obstacles' shapes belong to.
+        The names of what the obstacles' shapes belong to.
     scale : float
         Lengths in the space are the scene's times this power of two.
     thinnest : float
@@ -69,7 +69,7 @@ def engine() -> ModuleType:
     Raises
     ------
     OptionsError
-        If it is not installed, naming the extra that brings it.
+        If it is not installed; the message names the extra that installs it.
     """
     try:
         import pymunk
@@ -87,14 +87,15 @@ def engine_name() -> str:
 
 
 def make_world(problem: Problem, *, dynamic: bool) -> World:
-    """Build the space: obstacles, walls, and the robot's body, which forces can move or only we.
+    """Build the space with obstacles and walls, and the robot's body.
 
     Parameters
     ----------
     problem : Problem
         The scene.
     dynamic : bool
-        Whether the robot has mass, of density one; else it is kinematic: only we move it.
+        Whether the robot has mass, with density one, so that forces move it. Otherwise it is
+        kinematic: only the caller moves it.
     """
     pymunk = engine()
     scale = scale_of(problem)
@@ -116,7 +117,7 @@ def make_world(problem: Problem, *, dynamic: bool) -> World:
 
 
 def rounding(problem: Problem, configurations: NDArray[np.float64]) -> float:
-    """Return how far off a depth that Chipmunk reports may be there, in the scene's unit."""
+    """Return a bound on the error of a depth that Chipmunk reports there, in the scene's unit."""
     radius = reach(problem.robot)
     fixed = [problem.obstacles.coords.ravel(), np.array(problem.workspace_box or ())]
     if problem.workspace is not None:
@@ -132,10 +133,10 @@ def rounding(problem: Problem, configurations: NDArray[np.float64]) -> float:
 def _cells(shapes: list[Shape]) -> tuple[float, int]:
     """Return size and number of a spatial hash's cells.
 
-    Chipmunk's other index, a tree, remembers for each pair the features that were last in contact
-    and starts from them: on edges that touch, its search then may end at a wrong feature and report
-    a depth of half the robot where there is none (tests/planner/test_physics_engine.py). The hash
-    starts each search afresh.
+    Chipmunk's other index, a tree, stores for each pair the features that were last in contact and
+    starts from them: on edges that touch, its search may then end at a wrong feature and report a
+    depth of half the robot where there is none (docs/physics.md). The hash starts each search from
+    scratch.
     """
     vertices = np.concatenate([shape.vertices for shape in shapes])
     extent = float((vertices.max(axis=0) - vertices.min(axis=0)).max())
@@ -159,5 +160,5 @@ def _body(*, dynamic: bool, turning: bool) -> pymunk.Body:
 
 def _poly(body: pymunk.Body, shape: Shape) -> pymunk.Poly:
     poly: pymunk.Poly = engine().Poly(body, shape.vertices.tolist())  # of radius 0
-    poly.friction = poly.elasticity = 0.0  # as in the planner, contact holds nothing back
+    poly.friction = poly.elasticity = 0.0  # contact exerts no friction, as in the planner
     return poly

@@ -1,6 +1,6 @@
-"""Pictures of scenes and results, by matplotlib. They decide nothing.
+"""Pictures of scenes and results, by matplotlib; they decide nothing.
 
-The public side of `planar_planner.pictures`, where each picture has a file of its own.
+The module exports the public functions of this folder, in which each picture has a file of its own.
 """
 
 from __future__ import annotations

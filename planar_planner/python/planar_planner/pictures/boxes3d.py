@@ -17,9 +17,9 @@ from planar_planner.pictures.style import END_COLOURS, INK, TRACE
 from planar_planner.planning.path_samples import Floats
 from planar_planner.problem.make import Problem, ends
 
-ELEVATION, AZIMUTH = 28.0, -62.0  # degrees, of the eye
-HEIGHT = 0.8  # of a whole turn, relative to the greater of the extents of x and y
-MOST_BOXES = 3000  # in one view, the largest; more would take seconds and show less
+ELEVATION, AZIMUTH = 28.0, -62.0  # direction of the eye, in degrees
+HEIGHT = 0.8  # height of a whole turn, relative to the greater of the extents of x and y
+MOST_BOXES = 3000  # boxes in one view, the largest; more would take seconds and show less
 LIGHT = {0: 0.82, 1: 0.68, 2: 1.0}  # brightness of the faces across x, y and theta
 
 # Corners of a box as low (0) or high (1) along each axis, for the three faces towards the eye:
@@ -55,10 +55,10 @@ def space_axes(
 
 
 def draw_boxes(axes: Axes3D, cells: Cells, colour: str, alpha: float, zorder: float) -> int:
-    """Draw the faces of boxes that look towards the eye; return how many boxes are drawn.
+    """Draw the faces of boxes that look towards the eye, and return the number of boxes drawn.
 
-    Of more than `MOST_BOXES` those of largest volume. Flat boxes (faces, or all of a robot that
-    may not turn) are drawn flat.
+    At most `MOST_BOXES` boxes are drawn, those of largest volume. Flat boxes (faces, or all boxes
+    of a robot that may not turn) are drawn flat.
     """
     volumes = np.prod(cells.upper - cells.lower, axis=1)
     kept = np.sort(np.argsort(-volumes, kind="stable")[:MOST_BOXES])
@@ -84,7 +84,7 @@ def draw_boxes(axes: Axes3D, cells: Cells, colour: str, alpha: float, zorder: fl
 
 
 def draw_path(axes: Axes3D, path: Floats, zorder: float, colour: str = TRACE) -> None:
-    """Draw a path, theta brought into one turn and the line broken where it goes round."""
+    """Draw a path with theta in one turn; the line is broken where theta wraps around."""
     for piece in one_turn(path):
         x, y, theta = _in_degrees(piece).T
         axes.plot(x, y, theta, color=colour, linewidth=1.6, zorder=zorder)

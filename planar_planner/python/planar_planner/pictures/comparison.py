@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from planar_planner.ompl.compare import SceneComparison, Settings
 
 OURS = "#000000"
-# Okabe and Ito's colours, apart with any common colour blindness; shapes repeat the distinction.
+# Okabe and Ito's colours, distinct with any common colour blindness; shapes repeat the distinction.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#F0E442")
 MARKERS = ("o", "s", "^", "D", "v", "P", "X")
 
 SCENE_WIDTH = 0.9  # inches
-OTHER_WIDTH = 4.5  # of the axis and the legend
+OTHER_WIDTH = 4.5  # inches of the axis and the legend
 HEIGHT = 4.5
 LIMIT_FACTOR = 1.5  # runs without an answer are drawn this much above the limit
 
@@ -32,16 +32,16 @@ def draw_comparison(
     file: str | os.PathLike[str],
     suffix: str,
 ) -> None:
-    """Draw medians with quartiles, one column a scene; a cross is a median beyond the limit.
+    """Draw medians with quartiles, one column per scene; a cross is a median beyond the limit.
 
     Parameters
     ----------
     comparisons : sequence of SceneComparison
-        At least one.
+        At least one comparison.
     settings : Settings
-        Of all of them.
+        The settings of all comparisons.
     file : path
-        To write to.
+        File to write.
     suffix : str
         The format: ``.png``, ``.svg`` or ``.pdf``.
     """
@@ -66,7 +66,7 @@ def draw_comparison(
         colour, marker = COLOURS[k % len(COLOURS)], MARKERS[k // len(COLOURS) % len(MARKERS)]
         offset = _offset(k + 1, count)
         _series(axes, seconds, settings, offset, label=name, color=colour, marker=marker)
-    axes.axhline(1e3 * settings.limit, color="#888888", linewidth=0.8, linestyle="--")
+    axes.axhline(1e3 * settings.timeout, color="#888888", linewidth=0.8, linestyle="--")
     axes.set_yscale("log")
     axes.set_ylabel("time to first solution, with preparation (ms)\nmedian and quartiles")
     names = [each.scene for each in comparisons]
@@ -80,7 +80,7 @@ def draw_comparison(
     )
     axes.set_title(
         f"{settings.runs} runs each, OMPL's motion resolution {settings.resolution:g}\n"
-        f"crosses: the median run has no answer within {settings.limit:g} s",
+        f"crosses: the median run has no answer within {settings.timeout:g} s",
         fontsize="small",
     )
     axes.grid(axis="y", color="#E5E5E5")
@@ -90,7 +90,7 @@ def draw_comparison(
 
 
 def _offset(k: int, count: int) -> float:
-    """Spread the planners of a scene over most of its column."""
+    """Return the offsets that spread the planners of a scene over most of its column."""
     return 0.7 * (k / max(count - 1, 1) - 0.5)
 
 
@@ -101,8 +101,8 @@ def _series(
     offset: float,
     **style: Any,
 ) -> None:
-    """Draw a planner: a marker with a bar a scene, or a cross above the limit."""
-    ceiling = LIMIT_FACTOR * 1e3 * settings.limit
+    """Draw a planner: for each scene a marker with a bar, or a cross above the limit."""
+    ceiling = LIMIT_FACTOR * 1e3 * settings.timeout
     found = [(i + offset, spread(values)) for i, values in enumerate(seconds)]
     solved = [(x, s) for x, s in found if math.isfinite(s.median)]
     axes.errorbar(

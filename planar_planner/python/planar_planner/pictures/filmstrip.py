@@ -1,4 +1,4 @@
-"""A path as a strip of pictures side by side, at equal parts of its travel."""
+"""The picture of a path as a strip of drawings side by side, at equal parts of its travel."""
 
 from __future__ import annotations
 
@@ -31,19 +31,19 @@ def draw_filmstrip(
     *,
     frames: int = FRAMES,
 ) -> Figure:
-    """Draw a path as pictures side by side.
+    """Draw a path as drawings side by side.
 
     Parameters
     ----------
     scene : Scene
         The scene, as loaded.
     result : PathFound
-        Whose path to draw.
+        The result whose path is drawn.
     file : path, optional
-        Where to write the picture; the suffix (.png, .svg, .pdf) gives the format.
+        File to write; its suffix (.png, .svg, .pdf) gives the format.
     frames : int, optional
-        How many; the first is the start, the last the goal, between them equal travel
-        (`planar_planner.planning.path_samples`). At least 2.
+        Number of drawings, at least 2. The first shows the start and the last the goal, with equal
+        travel between them (`planar_planner.planning.path_samples`).
 
     Raises
     ------

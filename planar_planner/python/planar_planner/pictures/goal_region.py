@@ -1,4 +1,4 @@
-"""A goal that is a set of places, or the outline that the robot is to get out of."""
+"""The drawing of a goal region, or of the outline that the robot has to leave."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from matplotlib.patches import Patch
 
 from planar_planner.pictures.shapes import polygon_paths
 from planar_planner.pictures.style import GOAL, rgba
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 
 
-def draw_goal_region(axes: Axes, goal: GoalRegion) -> list[Artist]:
-    """Draw where the reference point is to get, or the polygon that it is to get out of."""
+def draw_goal_region(axes: Axes, goal: GoalSet) -> list[Artist]:
+    """Draw the region for the reference point, or the polygon that it has to leave."""
     style: dict[str, Any] = {"linewidth": 1.4, "edgecolor": GOAL}
     if goal.left is None:
         label = "goal: reference point in here"

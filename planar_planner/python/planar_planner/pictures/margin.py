@@ -1,4 +1,4 @@
-"""Picture of a margin: the scene with the bottleneck marked, and beside it the bottleneck."""
+"""The picture of a margin: the scene with its bottleneck, and a close-up of the bottleneck."""
 
 from __future__ import annotations
 
@@ -24,22 +24,22 @@ from planar_planner.scene.fields import Box
 from planar_planner.scene.model import Scene
 
 ROBOT = "#E69F00"  # Okabe-Ito orange
-OTHER = "#882255"  # wine (Tol): the robot of the other size
+OTHER = "#882255"  # wine (Tol), for the robot of the other size
 CONTACT = "#000000"
 
-SIDE = 5.6  # inches, of a panel's longer side
-ROOM = 0.25  # round the robot in the close-up, of its greater extent
+SIDE = 5.6  # inches of a panel's longer side
+ROOM = 0.25  # margin round the robot in the close-up, as a share of its greater extent
 
 
 def draw_margin(scene: Scene, margin: Margin) -> Figure:
-    """Draw a scene with the place where the largest robot that passes has least room.
+    """Draw a scene with the place where the largest robot that passes has the least room.
 
     Parameters
     ----------
     scene : Scene
-        The scene that was asked about.
+        The scene of the margin.
     margin : Margin
-        What `planar_planner.margin` answered.
+        The result of `planar_planner.margin`.
 
     Returns
     -------
@@ -93,7 +93,7 @@ def _draw_trace(axes: Axes, margin: Margin) -> list[Artist]:
 
 
 def _draw_robots(axes: Axes, problem: Problem, margin: Margin, place: NarrowPlace) -> list[Artist]:
-    """Draw the robot as it is, filled, and the outline of the one that just passes."""
+    """Draw the robot filled, and the outline of the robot that just passes."""
     style: dict[str, Any] = {"facecolor": ROBOT, "edgecolor": "none", "alpha": 0.6}
     axes.add_patch(
         PathPatch(_outline(placed(shape_of(problem.robot), place.configuration)), zorder=7, **style)
@@ -109,7 +109,7 @@ def _draw_robots(axes: Axes, problem: Problem, margin: Margin, place: NarrowPlac
 
 
 def _draw_contacts(axes: Axes, place: NarrowPlace) -> list[Artist]:
-    """Draw the shortest ways from the robot to what is nearest."""
+    """Draw the shortest segments from the robot to its nearest obstacles."""
     for contact in place.contacts:
         (ax, ay), (bx, by) = contact.robot_point, contact.obstacle_point
         axes.plot([ax, bx], [ay, by], color=CONTACT, linewidth=1.6, zorder=10)

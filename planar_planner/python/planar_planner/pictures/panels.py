@@ -1,4 +1,4 @@
-"""Figures of several drawings of one shape, in a grid."""
+"""Figures with several drawings of the same size, in a grid."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LABELS = 0.45  # inches of the labels of a column
 
 
 def columns_for(count: int, aspect: float) -> int:
-    """Return the fewest columns, so the largest drawings, whose rows fit the page."""
+    """Return the smallest number of columns, with the largest drawings, whose rows fit the page."""
     for columns in range(1, count):
         if math.ceil(count / columns) * (_height(columns, aspect) + CAPTION) <= HEIGHT:
             return columns
@@ -26,12 +26,12 @@ def columns_for(count: int, aspect: float) -> int:
 
 
 def _height(columns: int, aspect: float) -> float:
-    """Height in inches of one drawing of width over height `aspect`."""
+    """Return the height in inches of a drawing whose width over height is `aspect`."""
     return min(TALLEST, (WIDTH / columns - LABELS) / aspect)
 
 
 def panel_figure(count: int, aspect: float) -> tuple[Figure, list[Axes]]:
-    """Return a figure with so many drawings, each of width over height `aspect`."""
+    """Return a figure with `count` drawings, whose width over height is `aspect`."""
     columns = columns_for(count, aspect)
     rows = math.ceil(count / columns)
     height = _height(columns, aspect)
@@ -47,7 +47,7 @@ def panel_figure(count: int, aspect: float) -> tuple[Figure, list[Axes]]:
 
 
 def label_outer(panels: list[Axes], count: int, aspect: float) -> None:
-    """Take the names of axes away where a neighbour's stand for them."""
+    """Remove the names of axes where a neighbour shows the same names."""
     columns = columns_for(count, aspect)
     for k, axes in enumerate(panels):
         if k % columns:

@@ -1,4 +1,4 @@
-"""Why there is no path: the wall of FULL cells, its thinnest place, and what pinches there."""
+"""The picture of a proof of no path: the wall of FULL cells, and the overlap at its bottleneck."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ from planar_planner.pictures.style import INK, MIDWAY, OVERLAP, new_figure, rgba
 from planar_planner.pictures.world import draw_ends, draw_world, frame_axes, title_of, view_box
 from planar_planner.planning.path_samples import Floats, equal_parts, reach
 from planar_planner.planning.result import Result
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem, ends, make_problem, with_query
 from planar_planner.scene.model import Scene
 
 SIZE = (14.0, 5.4)  # inches
-GHOSTS = 7  # of the robot on its way through the wall
+GHOSTS = 7  # drawings of the robot on its way through the wall
 MARK: dict[str, Any] = {
     "marker": "D",
     "markersize": 6,
@@ -44,7 +44,7 @@ MARK: dict[str, Any] = {
     "markeredgecolor": INK,
     "linestyle": "none",
 }
-ROOM = 1.35  # of the close-up, in robot radii about the reference point
+ROOM = 1.35  # half-width of the close-up, in robot radii about the reference point
 
 
 def draw_wall(
@@ -57,27 +57,26 @@ def draw_wall(
     start: Sequence[float] | None = None,
     goal: Sequence[float] | None = None,
 ) -> Figure:
-    """Draw why there is no path: in the plane, close by, and in the space.
+    """Draw why there is no path: in the plane, enlarged, and in the configuration space.
 
-    Left the scene, with the place where the robot would pass at the least depth of overlap; in the
-    middle the robot there, and what it overlaps; right the wall of cells that separates start from
-    goal, with the cells that this way crosses.
+    The left drawing shows the scene, with the place where the robot would pass with the least depth
+    of overlap. The middle one shows the robot there, and what it overlaps. The right one shows the
+    wall of cells that separates start from goal, with the cells that this way crosses.
 
     Parameters
     ----------
     scene : Scene
         The scene, as loaded.
     wall : Cells
-        Of a planner that has proven that there is no path (`Planner.wall`), or of a certificate
-        (`planar_planner.explain.wall.wall_of`).
+        `Planner.wall` of a planner that has proven that there is no path.
     bottleneck : Bottleneck
-        Of the same planner.
+        The bottleneck of the same planner.
     file : path, optional
-        Where to write the picture; the suffix (.png, .svg, .pdf) gives the format.
+        File to write; its suffix (.png, .svg, .pdf) gives the format.
     result : NoPath, optional
-        For the title.
+        The result, for the title.
     start, goal : (x, y, theta), optional
-        Query that was answered, if not the scene's own.
+        The query, if it is not the scene's own.
 
     Raises
     ------
@@ -94,7 +93,7 @@ def draw_wall(
     whole, close = figure.add_subplot(grid[0]), figure.add_subplot(grid[1])
     keys = draw_world(whole, problem)
     keys += draw_ends(whole, problem)
-    if isinstance(problem.goal, GoalRegion):
+    if isinstance(problem.goal, GoalSet):
         keys += draw_goal_region(whole, problem.goal)
     keys += _draw_pinch(whole, problem, bottleneck)
     outlined = workspace_path(problem) is not None
@@ -114,13 +113,13 @@ def draw_wall(
 
 
 def _body(problem: Problem, q: Floats) -> Floats:
-    """Return the robot's vertices at a configuration as rows that a view takes in."""
+    """Return the robot's vertices at a configuration as rows (x, y, 0) for the extent of a view."""
     corners = moved(problem.robot.coords, q)
     return np.column_stack([corners, np.zeros(len(corners))])
 
 
 def _draw_close_up(axes: Axes, problem: Problem, bottleneck: Bottleneck) -> None:
-    """Draw the robot on its way through the wall, and where it is pinched."""
+    """Draw the robot on its way through the wall, and mark the bottleneck."""
     draw_world(axes, problem)
     robot = polygon_paths(problem.robot)
     ghosts = equal_parts(bottleneck.crossing, reach(problem.robot), GHOSTS)
@@ -138,11 +137,11 @@ def _draw_close_up(axes: Axes, problem: Problem, bottleneck: Bottleneck) -> None
     x, y = bottleneck.at[:2]
     room = ROOM * reach(problem.robot)
     frame_axes(axes, (x - room, y - room, x + room, y + room), outlined=False)
-    axes.set_title(f"close by: overlap {bottleneck.depth:.3g} deep", color=INK, fontsize=9)
+    axes.set_title(f"enlarged: overlap {bottleneck.depth:.3g} deep", color=INK, fontsize=9)
 
 
 def _draw_pinch(axes: Axes, problem: Problem, bottleneck: Bottleneck) -> list[Any]:
-    """Draw the robot at the bottleneck, and what of it overlaps, hatched."""
+    """Draw the robot at the bottleneck, with its overlap hatched."""
     outlines = placed(polygon_paths(problem.robot), bottleneck.at)
     axes.add_collection(
         PathCollection(
@@ -172,7 +171,7 @@ def _draw_pinch(axes: Axes, problem: Problem, bottleneck: Bottleneck) -> list[An
 
 
 def _forbidden(problem: Problem, body: Path) -> list[Path]:
-    """Return what the body can overlap: obstacles whose boxes it meets, and the outside."""
+    """Return what the body can overlap: obstacles whose boxes meet its box, and the outside."""
     box = body.get_extents()
     near = [path for path in polygon_paths(problem.obstacles) if path.get_extents().overlaps(box)]
     room = workspace_path(problem)
@@ -187,7 +186,7 @@ def _forbidden(problem: Problem, body: Path) -> list[Path]:
 
 
 def _reversed(path: Path) -> Path:
-    """Return a closed path, outline and holes, turning the other way."""
+    """Return a closed path, outline and holes, with the opposite orientation."""
     rings = [np.asarray(ring)[::-1] for ring in path.to_polygons(closed_only=True)]
     return Path.make_compound_path(*(Path(ring, closed=True) for ring in rings))
 
@@ -246,7 +245,7 @@ def _draw_wall_in_plane(
 
 
 def _thinnest(wall: Cells, bottleneck: Bottleneck) -> NDArray[np.bool_]:
-    """Return which of the wall's boxes hold the bottleneck, or else those on the way through it."""
+    """Return which boxes of the wall contain the bottleneck, or otherwise those on the way."""
     here = cells_on_path(wall, np.array([bottleneck.at, bottleneck.at]))
     return here if here.any() else cells_on_path(wall, bottleneck.crossing)
 
@@ -261,7 +260,7 @@ def _wall_keys() -> list[Any]:
 
 
 def _at_angle(bottleneck: Bottleneck, theta: float) -> Bottleneck:
-    """Return the same at another angle: a disc's, and the wall's, hold for every one."""
+    """Return the bottleneck at another angle; a disc and its wall are the same at any angle."""
     way: Floats = bottleneck.way.copy()
     way[:, 2] = theta
     return Bottleneck(way, bottleneck.depths, bottleneck.index)

@@ -15,7 +15,7 @@ from planar_planner.scene.fields import Box, Configuration
 
 
 def polygon_paths(polygons: Polygons) -> list[Path]:
-    """Return one closed path a polygon; outer rings anticlockwise, holes clockwise, for filling."""
+    """Return one closed path per polygon: outer rings anticlockwise and holes clockwise."""
     paths = []
     rings = polygons.ring_starts
     for first, last in zip(polygons.polygon_starts[:-1], polygons.polygon_starts[1:], strict=True):
@@ -71,6 +71,6 @@ def moved(points: Floats, q: Configuration | Floats) -> Floats:
 
 
 def _signed_area(ring: Floats) -> float:
-    """Shoelace formula, about the first vertex; only its sign is used, for filling."""
+    """Return the area by the shoelace formula about the first vertex; only its sign is used."""
     x, y = (ring - ring[0]).T
     return float(0.5 * np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))

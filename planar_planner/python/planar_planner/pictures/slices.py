@@ -1,4 +1,4 @@
-"""The cells at given angles, as the plane's subdivision for a robot that keeps its angle."""
+"""The picture of cells at given angles: the subdivision of the plane at a fixed angle."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ from planar_planner.planning.result import Result
 from planar_planner.problem.make import Problem, ends, make_problem, with_query
 from planar_planner.scene.model import Scene
 
-COUNT = 6  # slices, if no angles are given
-LINED_UP_TO = 4000  # cells in one slice; with more, lines would be most of the ink
+COUNT = 6  # number of slices if no angles are given
+LINED_UP_TO = 4000  # cells in one slice; with more cells, lines would hide the colours
 
 
 def draw_slices(
@@ -43,14 +43,14 @@ def draw_slices(
     scene : Scene
         The scene, as loaded.
     cells : Cells
-        Of a planner that has answered a query about the scene.
+        Cells of a planner that has answered a query about the scene.
     thetas : sequence of float, optional
-        Radians. By default angles that the path has, or six evenly; or the only one that the
-        robot may have.
+        Angles in radians. The default is six angles of the path, or six even ones, or the only
+        angle that the robot may have.
     file : path, optional
-        Where to write the picture; the suffix (.png, .svg, .pdf) gives the format.
+        File to write; its suffix (.png, .svg, .pdf) gives the format.
     result : PathFound, NoPath or Undecided, optional
-        For the title and the path: drawn is where it passes each angle.
+        The result, for the title and for the path; the robot is drawn where it has each angle.
 
     Raises
     ------
@@ -90,9 +90,9 @@ def draw_slices(
 
 
 def default_thetas(problem: Problem, path: Floats) -> list[float]:
-    """Return the angles of a path at equal parts of its travel, or without one evenly round.
+    """Return the angles of a path at equal parts of its travel, or even angles without a path.
 
-    Rounded to degrees, each once. A robot that may not turn has only its own.
+    They are rounded to degrees and distinct. A robot that may not turn has only its own angle.
     """
     if not problem.rotation:
         return [problem.start[2]]
@@ -146,9 +146,10 @@ def _draw_robot(axes: Axes, problem: Problem, path: Floats, theta: float) -> Non
 
 
 def passes(path: Floats, theta: float, *, turning: bool) -> Floats:
-    """Return the configurations (M, 3) at which a path has an angle, whole turns apart.
+    """Return the configurations (M, 3) at which a path has an angle, up to whole turns.
 
-    Where it keeps the angle, that is the segment's first; without turning, the path's ends.
+    If a segment keeps the angle, its first configuration counts; if the robot may not turn, the
+    path's ends count.
     """
     if not turning or len(path) < 2:
         return path[[0, -1]] if len(path) else path

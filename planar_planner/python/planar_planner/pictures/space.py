@@ -1,4 +1,4 @@
-"""The configuration space in 3-D: cells of each label, and the path through them."""
+"""The picture of the configuration space in 3-D: cells of each label, and the path."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from planar_planner.problem.make import ends, make_problem, with_query
 from planar_planner.scene.model import Scene
 
 SIZE = (12.0, 6.6)  # inches
-# Opacity of the labels alone, and of the overview, where FULL cells would hide the rest.
+# Opacity of a label drawn alone, and in the overview, in which FULL cells would hide the others.
 ALONE = {FREE: 0.5, STAR: 0.5, FULL: 0.3, MIXED: 0.12}
 TOGETHER = {FULL: 0.06, FREE: 0.3, STAR: 0.3}
 
@@ -39,17 +39,17 @@ def draw_space(
     scene : Scene
         The scene, as loaded.
     cells : Cells
-        Of a planner that has answered a query about the scene; at least one.
+        Cells of a planner that has answered a query about the scene; at least one.
     file : path, optional
-        Where to write the picture; the suffix (.png, .svg, .pdf) gives the format. Boxes are
-        pixels in vector formats too.
+        File to write; its suffix (.png, .svg, .pdf) gives the format. Boxes are pixels in vector
+        formats too.
     result : PathFound, NoPath or Undecided, optional
-        For the title and the path.
+        The result, for the title and the path.
 
     Raises
     ------
     ValueError
-        If there are no cells, or the robot may not turn: then slices show everything.
+        If there are no cells, or if the robot may not turn, because slices then show everything.
     """
     problem = make_problem(scene)
     if not len(cells):

@@ -1,8 +1,8 @@
 """Colours, sizes and files of all pictures.
 
-Uses figure and canvas objects, never pyplot, so no global state and no display is needed.
-Colours are those of Okabe and Ito, distinguishable with any common colour blindness; start is
-the blue end and goal the vermilion end, and ghosts of the robot fade from one to the other.
+The module uses figure and canvas objects and never pyplot, so it needs neither global state nor a
+display. The colours are those of Okabe and Ito, distinguishable with any common colour blindness.
+The start is blue and the goal vermilion, and drawings of the robot fade from one to the other.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ OUTSIDE = "#E9E9E9"  # where the body may not go, behind the workspace's outline
 START = "#0072B2"  # Okabe-Ito blue
 GOAL = "#D55E00"  # Okabe-Ito vermilion
 END_COLOURS = {"start": START, "goal": GOAL}
-MIDWAY = "#CC79A7"  # Okabe-Ito reddish purple: ghosts half way
+MIDWAY = "#CC79A7"  # Okabe-Ito reddish purple: the robot half way
 BOUNDS = "#009E73"  # Okabe-Ito bluish green
 TRACE = "#000000"
-OVERLAP = "#F0E442"  # Okabe-Ito yellow, hatched: where body and obstacles pinch
+OVERLAP = "#F0E442"  # Okabe-Ito yellow, hatched: where body and obstacles overlap
 
-PADDING = 0.12  # inches, round drawing, title and legend
+PADDING = 0.12  # inches round drawing, title and legend
 DPI = 150
-_SALT = "planar-planner"  # of the ids in an SVG, which are random without
+_SALT = "planar-planner"  # salt of the ids in an SVG, which would be random without it
 
 
 def new_figure(width: float, height: float) -> Figure:
@@ -45,19 +45,19 @@ def new_figure(width: float, height: float) -> Figure:
 def save_picture(
     figure: Figure, file: str | os.PathLike[str], suffix: str | None = None, dpi: float = DPI
 ) -> None:
-    """Write a figure to just this file; the same figure gives the same bytes.
+    """Write a figure to exactly this file; the same figure gives the same bytes.
 
     Parameters
     ----------
     figure : Figure
-        What to write.
+        Figure to write.
     file : path
-        Where to; taken as it is.
+        File to write; no suffix is added to its name.
     suffix : str, optional
-        Format, ``.png``, ``.svg`` or ``.pdf``, whatever the file is called: a link's target or a
-        device has no suffix, and matplotlib would add one. By default that of the file's name.
+        Format, ``.png``, ``.svg`` or ``.pdf``, whatever the file's name: a link's target or a
+        device has no suffix, and matplotlib would add one. The default is the file's own suffix.
     dpi : float, optional
-        Dots an inch, of a PNG and of what a vector format holds as pixels.
+        Dots per inch of a PNG, and of pixels in a vector format.
     """
     kind = (suffix or Path(file).suffix).lower().removeprefix(".")
     dated = {"png": {"Software": None}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}

@@ -1,4 +1,4 @@
-"""The scene, and a path as swept: ghosts of the robot and the trace of its reference point."""
+"""The picture of a scene and a path: the robot at equal steps, and its reference point's trace."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ from planar_planner.pictures.world import (
 )
 from planar_planner.planning.path_samples import Floats, equal_steps, reach, travel
 from planar_planner.planning.result import Result
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem, make_problem, with_query
 from planar_planner.scene.model import Scene
 
-GHOST_STEP = 0.6  # between ghosts, in robot radii of travel (planar_planner.planning.path_samples)
+GHOST_STEP = 0.6  # step between ghosts, in robot radii of travel (planning/path_samples.py)
 MAX_GHOSTS = 160
 
 
@@ -42,7 +42,7 @@ def draw_scene(
     start: Sequence[float] | None = None,
     goal: Sequence[float] | None = None,
 ) -> Figure:
-    """Draw a scene and, if given, what the planner answered.
+    """Draw a scene and, if given, the planner's result.
 
     Parameters
     ----------
@@ -52,9 +52,9 @@ def draw_scene(
         The verdict goes into the title; a path is drawn as ghosts of the robot at equal steps of
         motion and as the trace of the reference point.
     file : path, optional
-        Where to write the picture; the suffix (.png, .svg, .pdf) gives the format.
+        File to write; its suffix (.png, .svg, .pdf) gives the format.
     start, goal : (x, y, theta), optional
-        Query that was answered, if not the scene's own. Not needed with a path, which tells.
+        The query, if it is not the scene's own. A path already states both.
 
     Returns
     -------
@@ -76,7 +76,7 @@ def draw_scene(
     figure = new_figure(*figure_size(view))
     axes = figure.add_subplot()
     keys = draw_world(axes, problem)
-    if isinstance(region, GoalRegion):
+    if isinstance(region, GoalSet):
         keys += draw_goal_region(axes, region)
     keys += draw_path(axes, problem, path)
     keys += draw_ends(axes, problem)

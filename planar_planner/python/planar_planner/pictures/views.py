@@ -1,4 +1,4 @@
-"""The views that the command line offers, each of what one query has left."""
+"""The views of the command line; each draws the result of one query."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from planar_planner.planning.result import Result
 
 
 class ViewError(Exception):
-    """The query has left nothing that the view could show; says why in one line."""
+    """The query has no result that the view can show; the message states the reason."""
 
 
 def draw_view(
@@ -33,22 +33,23 @@ def draw_view(
     Parameters
     ----------
     planner : Planner
-        Whose last query, of the scene's own start and goal, gave the result.
+        The planner whose last query, with the scene's own start and goal, gave the result.
     result : PathFound, NoPath or Undecided
-        Its answer.
+        The result.
     view : str, optional
-        ``path``: the scene, and the path as swept; ``filmstrip``: the path side by side;
-        ``slices``: the cells at given angles; ``space``: the cells in 3-D; ``wall``: why there is
-        no path. By default ``wall`` if one separates start from goal, otherwise ``path``.
+        ``path``: the scene, and the robot along the path; ``filmstrip``: the path in drawings side
+        by side; ``slices``: the cells at given angles; ``space``: the cells in 3-D; ``wall``: why
+        there is no path. The default is ``wall`` if one separates start from goal, and otherwise
+        ``path``.
     thetas : sequence of float, optional
-        Of the slices, radians.
+        Angles of the slices, in radians.
     options : Options, optional
-        Limits of a query that is asked again by cells only, if the first has left none.
+        Limits of a second query with cells only, which is made if the first has no cells.
 
     Raises
     ------
     ViewError
-        If there is nothing to show.
+        If the result has nothing to show.
     """
     if view is None:
         return _why_not(planner, result) or draw_scene(planner.scene, result)
@@ -84,7 +85,7 @@ def _why_not(planner: Planner, result: Result) -> Figure | None:
 
 
 def _cells(planner: Planner, options: Options | None) -> Cells:
-    """Return a planner's cells, or if an easy answer left none, those of another one."""
+    """Return a planner's cells, or the cells of a second query if an easy answer has none."""
     cells = planner.cells()
     if len(cells):
         return cells
@@ -92,5 +93,5 @@ def _cells(planner: Planner, options: Options | None) -> Cells:
     by_cells.solve(options=options)
     cells = by_cells.cells()
     if not len(cells):
-        raise ViewError("the query has left no cells")
+        raise ViewError("the query has made no cells")
     return cells

@@ -1,4 +1,4 @@
-"""What most pictures share: workspace, bounds, obstacles, start, goal, axes, title."""
+"""Parts that most pictures share: workspace, bounds, obstacles, start, goal, axes, title."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ from planar_planner.pictures.shapes import (
 from planar_planner.pictures.style import BOUNDS, GOAL, INK, OBSTACLE, OUTSIDE, START, rgba
 from planar_planner.planning.path_samples import Floats, reach
 from planar_planner.planning.result import Result
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem, ends
 from planar_planner.scene.fields import Box
 
-LONG_SIDE = 8.0  # inches, of the drawing itself
+LONG_SIDE = 8.0  # inches of the drawing itself
 SHORTEST_SIDE = 3.2  # inches; a narrower drawing has no room for its title
-MARGIN = 0.03  # of the greater side, round everything
-MANY_OBSTACLES = 300  # from here on outlines would be most of the ink
+MARGIN = 0.03  # margin round everything, as a share of the greater side
+MANY_OBSTACLES = 300  # with more obstacles, outlines would hide the colours
 
 
 def draw_world(axes: Axes, problem: Problem) -> list[Artist]:
@@ -84,7 +84,7 @@ def draw_ends(axes: Axes, problem: Problem) -> list[Artist]:
 
 
 def frame_axes(axes: Axes, view: Box, *, outlined: bool) -> None:
-    """Set limits, equal scales and labels; a frame only where no workspace is outlined."""
+    """Set limits, equal scales and labels; draw a frame only if no workspace is outlined."""
     axes.set_xlim(view[0], view[2])
     axes.set_ylim(view[1], view[3])
     axes.set_aspect("equal")
@@ -105,17 +105,17 @@ def title_of(name: str, result: Result | None) -> str:
 
 
 def view_box(problem: Problem, path: Floats) -> Box:
-    """Return the box that the picture shows: where the robot may be, and a margin."""
+    """Return the box that the picture shows: the places of the robot, and a margin."""
     points: list[Floats] = [path[:, :2]]
     if problem.workspace_box is not None:
         points.append(corners(problem.workspace_box))
     elif problem.workspace is not None:
         points.append(problem.workspace.coords)
-    elif problem.reference_bounds is not None:  # the body may stick out of these
+    elif problem.reference_bounds is not None:  # the body may extend beyond these
         limits = corners(problem.reference_bounds)
         points += [limits - reach(problem.robot), limits + reach(problem.robot)]
     points += [moved(problem.robot.coords, q) for q in ends(problem).values()]
-    if isinstance(problem.goal, GoalRegion):
+    if isinstance(problem.goal, GoalSet):
         points.append((problem.goal.left or problem.goal.polygons).coords)
     cloud = np.concatenate(points)
     low, high = cloud.min(axis=0), cloud.max(axis=0)

@@ -1,1 +1,1 @@
-"""Arguments that several commands share; light to import: every start pays for them."""
+"""Arguments that several commands share; light to import, since every start imports them."""

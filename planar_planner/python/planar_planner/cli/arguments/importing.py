@@ -1,4 +1,4 @@
-"""Arguments about files in outside formats, start and goal, and the scene that they name."""
+"""Arguments for start, goal and files in other formats, and the scene that they name."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from planar_planner.scene.model import Scene
 
 
 def add_importing(command: argparse.ArgumentParser) -> None:
-    """Add start and goal, and what files in outside formats may leave open."""
+    """Add start and goal, and options for what files in other formats may leave open."""
     for name in ("start", "goal"):
         command.add_argument(
             f"--{name}",
             metavar="X,Y,THETA",
             type=_configuration,
-            help=f"{name} here instead of where the scene says; theta in radians",
+            help=f"use this {name} instead of the scene's; theta in radians",
         )
     group = command.add_argument_group(
-        "outside formats", "for files that are not scene files; see docs/formats.md"
+        "other file formats", "for files that are not scene files; see docs/formats.md"
     )
     group.add_argument(
         "--robot", metavar="FILE", type=Path, help="take the robot from this file, of any format"
@@ -42,20 +42,20 @@ def add_importing(command: argparse.ArgumentParser) -> None:
         help="Nav2's footprint_padding, for --footprint or a footprint in the file (default: 0)",
     )
     group.add_argument(
-        "--unknown", action="store_true", help="unknown cells of a map are obstacles too"
+        "--unknown", action="store_true", help="treat unknown cells of a map as obstacles"
     )
     group.add_argument(
         "--flatten",
         choices=(OUTWARDS, INWARDS),
         default=OUTWARDS,
-        help="side on which curves become edges: outwards, a path found is one for the curves; "
-        "inwards, a proof of no path is one for the curves (default: %(default)s)",
+        help="side on which curves become edges; with outwards a path also holds for the curves, "
+        "with inwards a proof of no path does (default: %(default)s)",
     )
     group.add_argument(
         "--tolerance",
         metavar="LENGTH",
         type=_length,
-        help="farthest that an edge may be from its curve (default: a thousandth of the drawing)",
+        help="greatest distance of an edge from its curve (default: a thousandth of the drawing)",
     )
     group.add_argument(
         "--role",
@@ -63,13 +63,13 @@ def add_importing(command: argparse.ArgumentParser) -> None:
         type=_role,
         action="append",
         default=[],
-        help="what a drawing's layers, ids, classes or labels are, for example 'wall*=obstacle'; "
+        help="role of a drawing's layers, ids, classes or labels, for example 'wall*=obstacle'; "
         f"roles: {', '.join(ROLES)}",
     )
 
 
 def import_options(arguments: argparse.Namespace) -> ImportOptions:
-    """Return what the arguments say."""
+    """Return the import options that the arguments state."""
     return ImportOptions(
         start=arguments.start,
         goal=arguments.goal,
@@ -113,7 +113,7 @@ def _role(text: str) -> tuple[str, str]:
 
 
 def scene_of(arguments: argparse.Namespace, name: str, *, quiet: bool = False) -> Scene:
-    """Load a scene with the ends, robot and readings that the arguments ask for."""
+    """Load a scene with the start, goal, robot and import options that the arguments state."""
     with Progress(sys.stderr, f"reading {one_line(name)}", quiet=quiet):
         scene = load_scene(name, import_options(arguments))
     if not quiet:

@@ -1,4 +1,4 @@
-"""Arguments about the limits of a query, and the contact tolerance; light to import."""
+"""Arguments for the limits of a query and for the contact tolerance; light to import."""
 
 from __future__ import annotations
 
@@ -12,32 +12,32 @@ _DEFAULTS = Options()
 
 
 def add_contact_tolerance(command: Any, what: str) -> None:
-    """Add the contact tolerance to a parser or group; `what` says what it moves."""
+    """Add the contact tolerance to a parser or group; `what` is the subject of its help."""
     command.add_argument(
         "--contact-tolerance",
         type=real_number,
         metavar="LENGTH",
         default=_DEFAULTS.contact_tolerance,
-        help=f"how far {what} off contact (default: %(default)g)",
+        help=f"greatest distance by which {what} out of contact (default: %(default)g)",
     )
 
 
 def add_limits(command: argparse.ArgumentParser) -> None:
     """Add the limits of one query."""
-    limits = command.add_argument_group("limits", "reaching one makes the verdict undecided")
+    limits = command.add_argument_group("limits", "a limit that is reached gives undecided")
     limits.add_argument(
         "--resolution",
         type=real_number,
         metavar="FRACTION",
         default=_DEFAULTS.resolution,
-        help="smallest cell relative to the scene (default: %(default)g)",
+        help="size of the smallest cell, relative to the scene (default: %(default)g)",
     )
     limits.add_argument(
         "--max-cells",
         type=whole_number,
         metavar="N",
         default=_DEFAULTS.max_cells,
-        help="cells (default: %(default)s)",
+        help="number of cells (default: %(default)s)",
     )
     limits.add_argument(
         "--timeout",

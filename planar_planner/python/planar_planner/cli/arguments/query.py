@@ -1,4 +1,4 @@
-"""Arguments of the commands that decide a query: solve and check; light to import."""
+"""Arguments of solve and check, the commands that decide a query; light to import."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from planar_planner.cli.arguments.shared import add_json, add_scene, output_file
 
 
 def add_query(command: argparse.ArgumentParser) -> None:
-    """Add what a query is, its limits, and what to write of its answer."""
+    """Add the query, its limits, and the files to write."""
     add_scene(command)
     add_importing(command)
     add_json(command, "the result")
@@ -21,6 +21,6 @@ def add_query(command: argparse.ArgumentParser) -> None:
         help="write the evidence for the answer, compressed if the name ends in .gz; see verify",
     )
     command.add_argument(
-        "--quiet", action="store_true", help="no statistics and no progress, only the verdict"
+        "--quiet", action="store_true", help="print only the verdict, no statistics or progress"
     )
     add_limits(command)

@@ -43,26 +43,26 @@ def add_command(
 
 
 def add_scene(command: argparse.ArgumentParser) -> None:
-    """Add the scene, a built-in name or a file."""
+    """Add the scene: a built-in name or a file."""
     command.add_argument(
         "scene",
         metavar="SCENE",
-        help="a built-in name (see list) or a file: scene or outside format",
+        help="a built-in name (see list) or a file, a scene or any other known format",
     )
 
 
 def add_plot(command: argparse.ArgumentParser, what: str) -> None:
-    """Add a picture to write; `what` says what it shows."""
+    """Add a picture to write; `what` says what the option does."""
     command.add_argument(
         "--plot",
         metavar="FILE",
         type=file_of(PLOT_SUFFIXES),
-        help=f"{what}: {', '.join(PLOT_SUFFIXES)}",
+        help=f"{what} into this file: {', '.join(PLOT_SUFFIXES)}",
     )
 
 
 def add_json(command: argparse.ArgumentParser, what: str) -> None:
-    """Add JSON to write; `what` says what it holds."""
+    """Add JSON to write; `what` says what it contains."""
     command.add_argument(
         "--json", metavar="FILE", help=f"write {what} as JSON; - for standard output"
     )
@@ -76,7 +76,7 @@ def whole_number(text: str) -> int:
 
 
 def real_number(text: str) -> float:
-    """Return the number that a text states; ``inf`` and ``nan`` are left to who uses it."""
+    """Return the number that a text states; the caller decides about ``inf`` and ``nan``."""
     try:
         value = float(text)
     except ValueError:
@@ -97,14 +97,14 @@ def byte_count(text: str) -> int:
 
 
 def output_file(text: str) -> Path:
-    """Return a file to write; only --json knows standard output."""
+    """Return a file to write; only --json can write to standard output."""
     if text in ("", "-"):
-        raise argparse.ArgumentTypeError(f"{text!r} is no file to write")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a file to write")
     return Path(text)
 
 
 def file_of(suffixes: Sequence[str]) -> Callable[[str], Path]:
-    """Return what takes the name of a file to write, whose suffix must state one of the formats."""
+    """Return a converter for the name of a file to write, which must have one of the suffixes."""
 
     def file(text: str) -> Path:
         path = Path(text)

@@ -1,4 +1,4 @@
-"""Arguments that choose what a picture shows; light to import."""
+"""Arguments that choose the content of a picture; light to import."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ def add_view(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--view",
         choices=VIEWS,
-        help="what --plot shows: the path as swept or as a filmstrip, the cells as slices at "
-        "--theta or in 3-D space, the wall that separates (default: wall or path, by the verdict)",
+        help="content of the picture: the path or its filmstrip, the cells as slices at --theta or "
+        "in 3-D space, or the separating wall (default: wall or path, by the verdict)",
     )
     command.add_argument(
         "--theta",
         metavar="A,B,…",
         type=angles,
-        help="angles of the slices, radians or like 45deg (default: some of the path's)",
+        help="angles of the slices, in radians or like 45deg (default: some of the path's)",
     )
 
 
@@ -43,16 +43,16 @@ def angles(text: str) -> list[float]:
 
 
 def view_of(arguments: argparse.Namespace) -> str | None:
-    """Return the view that is asked for, or None to choose by the verdict.
+    """Return the requested view, or None to choose by the verdict.
 
     Raises
     ------
     OptionsError
-        If a view is asked for without a picture, or angles with another view than slices.
+        If a view is requested without a picture, or angles with another view than slices.
     """
     view: str | None = arguments.view
     if arguments.plot is None and (view is not None or arguments.theta is not None):
-        raise OptionsError("--view and --theta say what --plot FILE shows; it is missing")
+        raise OptionsError("--view and --theta need a picture: --plot FILE is missing")
     if arguments.theta is None:
         return view
     if view not in (None, "slices"):

@@ -1,4 +1,4 @@
-"""`planar-planner animate`: solve, then write the motion as a film or a page."""
+"""`planar-planner animate`: solves a scene and writes the motion as a film or a page."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ from planar_planner.cli.commands.solve import EXIT_STATUS, one_sided, print_verd
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
 from planar_planner.errors import one_line
+from planar_planner.films.pace import Pace
 from planar_planner.output_files import check_writable, complain, emit, written_aside
 
 ANIMATION_SUFFIXES = (*FILM_SUFFIXES, ".html")
@@ -56,33 +57,36 @@ def add(commands: Any) -> None:
         "--speed",
         type=real_number,
         metavar="LENGTH",
-        help="travel a second, in scene units; of a sweep through angles, radians a second",
+        help="travel per second, in scene units; for a sweep through angles, radians per second",
     )
     how_long.add_argument(
-        "--seconds", type=real_number, metavar="SECONDS", help="from start to goal (default: 10)"
+        "--seconds",
+        type=real_number,
+        metavar="SECONDS",
+        help="time from start to goal (default: 10)",
     )
     pace.add_argument(
         "--fps",
         type=real_number,
         metavar="N",
         default=25.0,
-        help="frames a second of a film; a page draws as often as the screen (default: 25)",
+        help="frames per second of a film; a page draws as often as the screen (default: 25)",
     )
     pace.add_argument(
         "--hold",
         type=real_number,
         metavar="SECONDS",
         default=1.0,
-        help="how long a film stands still at start and goal (default: 1)",
+        help="time for which a film stands still at start and goal (default: 1)",
     )
     pace.add_argument(
         "--size",
         type=_size,
         metavar="WIDTHxHEIGHT",
-        help="pixels of a film (default: 800x600); the most that a page's views take of its window",
+        help="pixels of a film (default: 800x600), or the largest size of a page's views",
     )
     animate.add_argument(
-        "--quiet", action="store_true", help="no statistics and no progress, only the verdict"
+        "--quiet", action="store_true", help="print only the verdict, no statistics or progress"
     )
     add_limits(animate)
     animate.set_defaults(run=run)
@@ -96,18 +100,17 @@ def _size(text: str) -> tuple[int, int]:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Solve and animate. The exit status is the verdict."""
+    """Solve and animate. The exit status states the verdict."""
     options = options_of(arguments)
     file = arguments.out
     suffix = file.suffix.lower()
     check_writable(file)
     output = json_output(arguments.json)
     scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
-    # Heavy, so only now: a misspelt name is answered at once.
+    # These imports are slow, so they come after the check of the scene's name.
     from planar_planner.films.canvas import check_size
     from planar_planner.films.film import DEFAULT_SIZE, check_film, write_film
     from planar_planner.films.material import gather
-    from planar_planner.films.pace import Pace
     from planar_planner.films.page import PAGE_SUFFIX, write_page
     from planar_planner.planning.planner import Planner
 

@@ -1,4 +1,4 @@
-"""Arguments of `planar-planner check`."""
+"""`planar-planner check`: decides a query and prints only the verdict."""
 
 from __future__ import annotations
 

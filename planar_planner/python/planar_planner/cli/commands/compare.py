@@ -1,4 +1,4 @@
-"""`planar-planner compare`: ours and OMPL's planners on scenes in one run."""
+"""`planar-planner compare`: runs this planner and OMPL's planners on the same scenes."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from planar_planner.cli.arguments.shared import (
 )
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
+from planar_planner.ompl.comparison import table, to_json
 from planar_planner.ompl.samplers import DEFAULT_SAMPLERS
 from planar_planner.output_files import check_writable, emit, written_aside
 
@@ -30,8 +31,8 @@ def add(commands: Any) -> None:
         "compare",
         "compare with OMPL's planners in one run; needs the extra [ompl]",
         examples=(
-            "compare slot --runs 3 --limit 2",
-            "compare corner slot --planners RRTConnect,PRM --runs 3 --limit 2 --plot times.svg",
+            "compare slot --runs 3 --timeout 2",
+            "compare corner slot --planners RRTConnect,PRM --runs 3 --timeout 2 --plot times.svg",
         ),
         status=DONE,
     )
@@ -39,19 +40,19 @@ def add(commands: Any) -> None:
         "scenes",
         metavar="SCENE",
         nargs="+",
-        help="built-in names (see list) or files: scenes or outside formats",
+        help="built-in names (see list) or files, scenes or any other known format",
     )
     compare.add_argument(
         "--planners",
         metavar="A,B,…",
         default=",".join(DEFAULT_SAMPLERS),
-        help="OMPL's planners by name (default: %(default)s)",
+        help="names of OMPL's planners (default: %(default)s)",
     )
     for name, metavar, kind, default, what in (
-        ("runs", "N", whole_number, 11, "runs of each planner"),
-        ("limit", "SECONDS", real_number, 10.0, "time of a run"),
-        ("resolution", "FRACTION", real_number, 0.002, "of OMPL's motion validation"),
-        ("seed", "N", whole_number, 0, "run i (from 0) of a planner has the seed N + i + 1"),
+        ("runs", "N", whole_number, 11, "number of runs of each planner"),
+        ("timeout", "SECONDS", real_number, 10.0, "longest time of a run"),
+        ("resolution", "FRACTION", real_number, 0.002, "resolution of OMPL's motion validation"),
+        ("seed", "N", whole_number, 0, "run i (from 0) of a planner uses the seed N + i + 1"),
     ):
         compare.add_argument(
             f"--{name}",
@@ -67,14 +68,13 @@ def add(commands: Any) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Compare, and report scene by scene; then JSON and picture. 0 unless the input is wrong."""
+    """Compare, report scene by scene, and write JSON and picture; return 0."""
     from planar_planner.ompl.compare import Settings, check_scene, compare, require_ompl
-    from planar_planner.ompl.comparison import table, to_json
 
     settings = Settings(
         planners=tuple(part.strip() for part in arguments.planners.split(",") if part.strip()),
         runs=arguments.runs,
-        limit=arguments.limit,
+        timeout=arguments.timeout,
         resolution=arguments.resolution,
         seed=arguments.seed,
     )
@@ -84,7 +84,7 @@ def run(arguments: argparse.Namespace) -> int:
         check_writable(arguments.plot)
     require_ompl()
     scenes = [scene_of(arguments, name, quiet=quiet) for name in arguments.scenes]
-    for scene in scenes:  # a mistake in the last one shows before the first one's runs
+    for scene in scenes:  # a mistake in the last scene is reported before the first run
         check_scene(scene)
     comparisons = []
     for scene in scenes:

@@ -1,4 +1,4 @@
-"""`planar-planner completion`: a script for the shell."""
+"""`planar-planner completion`: prints a completion script for a shell."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ def add(commands: Any) -> None:
         examples=("completion bash", "completion zsh"),
         status=DONE,
     )
-    completion.add_argument("shell", choices=SHELLS, help="see docs/command-line.md")
+    completion.add_argument("shell", choices=SHELLS, help="name of the shell")
     completion.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the script."""
-    emit(completion_script(arguments.shell))
+    emit(completion_script(arguments.shell, arguments.whole_parser()))
     return 0

@@ -1,4 +1,4 @@
-"""`planar-planner convert`: files in outside formats ⇄ scene files."""
+"""`planar-planner convert`: converts between scene files and files in other formats."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def add(commands: Any) -> None:
     convert = add_command(
         commands,
         "convert",
-        "turn a file in an outside format into a scene file, or back",
+        "convert a file in another format into a scene file, or a scene into such a file",
         examples=(
             "convert corner corner.svg",
             "convert corner.svg corner.json --flatten inwards --tolerance 0.01",
@@ -39,16 +39,16 @@ def add(commands: Any) -> None:
         "out",
         metavar="OUT",
         type=Path,
-        help="file to write: .json for a scene; .geojson, .wkt, .svg, .dxf, .csv, .txt (with .rob)",
+        help="file to write: .json (scene), .geojson, .wkt, .svg, .dxf, .csv or .txt (with .rob)",
     )
     add_importing(convert)
     add_json(convert, "what was written and repaired")
-    convert.add_argument("--quiet", action="store_true", help="do not tell what was repaired")
+    convert.add_argument("--quiet", action="store_true", help="do not report repairs")
     convert.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Read, check, write; print what was written. 0 unless the input is wrong."""
+    """Read, check and write the scene, report the files written, and return 0."""
     output = json_output(arguments.json)
     check_writable(arguments.out)
     scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)

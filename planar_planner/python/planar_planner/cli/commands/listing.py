@@ -1,4 +1,4 @@
-"""`planar-planner list`: the built-in scenes. Reads their files without numpy and the core."""
+"""`planar-planner list`: lists the built-in scenes; reads them without numpy and the core."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def add(commands: Any) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Print one line a scene, in the manifest's order."""
+    """Print one line per scene, in the manifest's order."""
     output = json_output(arguments.json)
     scenes = [_entry(name, entry) for name, entry in manifest().items()]
     if not output.to_stdout:

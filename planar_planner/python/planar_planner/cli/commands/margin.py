@@ -1,4 +1,4 @@
-"""`planar-planner margin`: how far the robot can grow, or must shrink."""
+"""`planar-planner margin`: computes how far the robot can grow, or must shrink."""
 
 from __future__ import annotations
 
@@ -18,10 +18,11 @@ from planar_planner.cli.arguments.shared import (
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
 from planar_planner.cli.terminal import VERDICT_STYLES, styled
+from planar_planner.margins.text import margin_details, margin_headline
 from planar_planner.output_files import check_writable, complain, emit, written_aside
 
 _STATUS = (
-    "0 a path remains for the robot as it is, 1 only for a smaller one,\n"
+    "0 a path exists for the robot as it is, 1 only for a smaller one,\n"
     "  2 bad input or usage, 3 a limit was reached first"
 )
 
@@ -34,10 +35,10 @@ def add(commands: Any) -> None:
     margin = add_command(
         commands,
         "margin",
-        "find out how far the robot can grow, or must shrink, and where it is narrowest",
+        "compute how far the robot can grow, or must shrink, and where it is narrowest",
         examples=(
             "margin slot",
-            "margin corner-too-long --within 1e-4 --plot bottleneck.png",
+            "margin corner-too-long --width 1e-4 --plot bottleneck.png",
             "margin corner --by scale --about centroid --json margin.json",
         ),
         status=_STATUS,
@@ -48,37 +49,36 @@ def add(commands: Any) -> None:
         "--by",
         choices=("offset", "scale"),
         default="offset",
-        help="grow the robot by a distance all round, or scale it (default: offset)",
+        help="grow the robot by a distance on all sides, or scale it (default: offset)",
     )
     margin.add_argument(
         "--about",
         choices=("reference", "centroid"),
         default="reference",
-        help="the point that scaling leaves in place (default: reference)",
+        help="fixed point of the scaling (default: reference)",
     )
     margin.add_argument(
-        "--within",
+        "--width",
         type=real_number,
         metavar="LENGTH",
-        help="how wide the answer's bracket may be: a length in the scene's unit, or a factor "
+        help="greatest width of the answer's bracket: a length in the scene's unit, or a factor "
         "(default: 1/1000 of half the robot's diagonal, or 1/1000)",
     )
     add_json(margin, "the margin")
     add_plot(margin, "draw the scene and its bottleneck")
-    margin.add_argument("--quiet", action="store_true", help="one line, and no progress")
+    margin.add_argument("--quiet", action="store_true", help="print one line and no progress")
     add_limits(margin)
     margin.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Bracket the margin, then report: text, JSON, picture."""
+    """Bracket the margin, then report it as text, JSON and picture."""
     options = options_of(arguments)
     output = json_output(arguments.json)
     if arguments.plot is not None:
         check_writable(arguments.plot)
     scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
     from planar_planner.margins.find import margin  # only now: a misspelt name is answered at once
-    from planar_planner.margins.text import margin_details, margin_headline
 
     with Progress(sys.stderr, "checking the scene", quiet=arguments.quiet) as progress:
         found = margin(
@@ -86,7 +86,7 @@ def run(arguments: argparse.Namespace) -> int:
             options,
             by=arguments.by,
             about=arguments.about,
-            tolerance=arguments.within,
+            width=arguments.width,
             listener=progress,
         )
     if not output.to_stdout:
@@ -97,7 +97,10 @@ def run(arguments: argparse.Namespace) -> int:
     output.write(found.to_json())
     if scene.holds_for:
         side = "lower" if scene.holds_for == "path" else "upper"
-        complain(f"curves were flattened one way: only the {side} end holds for the drawing itself")
+        complain(
+            f"curves were flattened to one side: only the {side} number is also proven for the "
+            "curves of the drawing"
+        )
     if arguments.plot is not None:
         from planar_planner.pictures.margin import draw_margin
         from planar_planner.pictures.style import save_picture

@@ -1,4 +1,4 @@
-"""`planar-planner replay`: an outside witness for a path, or a robot that tries where none is."""
+"""`planar-planner replay`: checks a path in a physics engine, or pushes a robot where none is."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ if TYPE_CHECKING:
     from planar_planner.scene.model import Scene
 
 PUSHES: Mapping[str, float] = {"seconds": 20.0, "tries": 4, "seed": 0}
-"""Defaults of the options that only pushing has."""
+"""Defaults of the options that need --push."""
 
-WITNESSED, CONTRADICTED, UNDECIDED = 0, 1, 3
+CONFIRMED, CONTRADICTED, UNDECIDED = 0, 1, 3
 
 
 def add(commands: Any) -> None:
@@ -41,25 +41,25 @@ def add(commands: Any) -> None:
     replay = add_command(
         commands,
         "replay",
-        "let the Chipmunk physics engine witness a path, or try where there is none",
+        "replay a path in the physics engine Chipmunk, or push a robot where no path is",
         examples=(
             "replay gear",
             "solve gear --json result.json",
             "replay gear --path result.json",
             "replay gear-jammed --push --seconds 2 --seed 1 --save push.gif",
         ),
-        status="0 witnessed, 1 contradicted, 2 bad input or usage, 3 undecided",
+        status="0 confirmed, 1 contradicted, 2 bad input or usage, 3 undecided",
     )
     add_scene(replay)
     add_importing(replay)
     replay.add_argument(
-        "--path", metavar="FILE", type=Path, help="replay this, as solve --json writes it"
+        "--path", metavar="FILE", type=Path, help="replay the path in a file from solve --json"
     )
     replay.add_argument(
         "--step",
         metavar="LENGTH",
         type=real_number,
-        help="most travel between two looks (default: 1/256 of the robot's reach)",
+        help="greatest travel between two checks (default: 1/256 of the robot's reach)",
     )
     replay.add_argument(
         "--save",
@@ -68,15 +68,15 @@ def add(commands: Any) -> None:
         help=f"write a film: {', '.join(FILM_SUFFIXES)}",
     )
     add_json(replay, "the finding")
-    replay.add_argument("--quiet", action="store_true", help="no numbers, only the finding")
+    replay.add_argument("--quiet", action="store_true", help="print only the finding, no numbers")
     pushing = replay.add_argument_group("pushing")
     pushing.add_argument(
-        "--push", action="store_true", help="no path: let random forces drive the robot"
+        "--push", action="store_true", help="drive the robot by random forces, without a path"
     )
     for name, metavar, kind, what in (
         ("seconds", "SECONDS", real_number, "simulated time of a try"),
-        ("tries", "N", whole_number, "robots, one after the other"),
-        ("seed", "N", whole_number, "of the pushes"),
+        ("tries", "N", whole_number, "number of robots, one after the other"),
+        ("seed", "N", whole_number, "seed of the pushes"),
     ):
         pushing.add_argument(
             f"--{name}",
@@ -94,12 +94,12 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.save is not None:
         check_writable(arguments.save)
     if arguments.push and arguments.path is not None:
-        raise OptionsError("--path is for a replay, --push drives without one")
+        raise OptionsError("--path and --push exclude each other: --push needs no path")
     for name, default in PUSHES.items():
         if getattr(arguments, name) is None:
             setattr(arguments, name, default)
         elif not arguments.push:
-            raise OptionsError(f"--{name} is for --push")
+            raise OptionsError(f"--{name} needs --push")
     _check_extras(arguments)
     scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
     status, text, content = (_push if arguments.push else _replay)(arguments, scene)
@@ -110,7 +110,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _check_extras(arguments: argparse.Namespace) -> None:
-    """Find out before the search what is not installed."""
+    """Check before the search that what the command needs is installed."""
     from planar_planner.physics.world import engine
 
     engine()
@@ -121,7 +121,7 @@ def _check_extras(arguments: argparse.Namespace) -> None:
 
 
 def _replay(arguments: argparse.Namespace, scene: Scene) -> tuple[int, str, dict[str, Any]]:
-    """Return exit status, text and JSON of a replay; of the search, if that is undecided.
+    """Return exit status, text and JSON of a replay, or of the search if it is undecided.
 
     Raises
     ------
@@ -135,7 +135,9 @@ def _replay(arguments: argparse.Namespace, scene: Scene) -> tuple[int, str, dict
     else:
         result = _solved(arguments, scene)
         if result.verdict == "no_path":
-            raise OptionsError(f"{headline(result)}: nothing to replay; --push lets a robot try")
+            raise OptionsError(
+                f"{headline(result)}: there is no path to replay; --push drives a robot instead"
+            )
         if result.verdict == "undecided":
             return UNDECIDED, headline(result), result.to_json()
         path = result.path
@@ -152,7 +154,7 @@ def _replay(arguments: argparse.Namespace, scene: Scene) -> tuple[int, str, dict
 
             with written_aside(arguments.save) as aside:
                 save_replay(problem, found, aside, arguments.save.suffix)
-    return WITNESSED if found.witnessed else CONTRADICTED, replay_text(found), found.to_json()
+    return CONFIRMED if found.confirmed else CONTRADICTED, replay_text(found), found.to_json()
 
 
 def _push(arguments: argparse.Namespace, scene: Scene) -> tuple[int, str, dict[str, Any]]:
@@ -187,11 +189,11 @@ def _push(arguments: argparse.Namespace, scene: Scene) -> tuple[int, str, dict[s
 
 
 def _status(result: Result, found: Push) -> int:
-    """Return whether the push agrees with the verdict."""
+    """Return the exit status, which says whether the push agrees with the verdict."""
     if result.verdict == "undecided" or found.may_have_tunnelled:
         return UNDECIDED
     if result.verdict == "path" or not found.reached:
-        return WITNESSED
+        return CONFIRMED
     return CONTRADICTED if found.reached_free else UNDECIDED
 
 

@@ -1,4 +1,4 @@
-"""`planar-planner show`: describe and draw a scene without solving it."""
+"""`planar-planner show`: describes and draws a scene without solving it."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def add(commands: Any) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Check the scene's shapes, print its facts, draw it if asked."""
+    """Check the scene's shapes, print its facts, and draw it on request."""
     output = json_output(arguments.json)
     if arguments.plot is not None:
         check_writable(arguments.plot)
@@ -74,7 +74,7 @@ def facts(scene: Scene) -> dict[str, Any]:
         "description": scene.description,
         **size_json(scene_size(scene)),
         "workspace": scene.workspace,
-        "reference_bounds": scene.reference_bounds,
+        "reference_bounds": scene.bounds,
         "start": scene.start,
         "goal": scene.goal,
         "rotation": scene.rotation,
@@ -85,7 +85,7 @@ def facts(scene: Scene) -> dict[str, Any]:
 
 
 def description(scene: Scene, problem: Problem) -> str:
-    """Return the facts of a scene, one a line."""
+    """Return the facts of a scene, one per line."""
     size = scene_size(scene)
     lines = [one_line(f"{scene.name}: {scene.description}" if scene.description else scene.name)]
     lines.append(f"  robot: {size.robot_polygons} polygon(s), {size.robot_vertices} vertices")
@@ -97,7 +97,7 @@ def description(scene: Scene, problem: Problem) -> str:
     if problem.workspace is not None:
         lines.append(f"  workspace: polygon, {len(problem.workspace.coords)} vertices")
     if problem.reference_bounds is not None:
-        lines.append(f"  reference point in: {list(problem.reference_bounds)}")
+        lines.append(f"  bounds of the reference point: {list(problem.reference_bounds)}")
     lines.append(f"  start: {_text(problem.start)}, goal: {_goal_text(problem.goal)}")
     if not problem.rotation:
         lines.append("  the robot may not turn")
@@ -110,9 +110,9 @@ def description(scene: Scene, problem: Problem) -> str:
 
 
 def _goal_text(goal: Goal) -> str:
-    from planar_planner.problem.goal import GoalRegion  # takes numpy
+    from planar_planner.problem.goal import GoalSet  # takes numpy
 
-    if not isinstance(goal, GoalRegion):
+    if not isinstance(goal, GoalSet):
         return _text(goal)
     if goal.left is not None:
         return f"outside a polygon of {len(goal.left.coords)} vertices"

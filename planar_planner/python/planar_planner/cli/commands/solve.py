@@ -1,4 +1,4 @@
-"""`planar-planner solve` and `planar-planner check`: decide a query and report."""
+"""`planar-planner solve`, and the work of `check`: decides a query and reports the result."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def add(commands: Any) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Solve, then report: text, JSON, picture. The exit status is the verdict."""
+    """Solve, then report as text, JSON and picture. The exit status states the verdict."""
     options = options_of(arguments)
     view = view_of(arguments)
     output = json_output(arguments.json)
@@ -108,14 +108,20 @@ def _write_certificate(result: Result, file: Path) -> None:
 
 
 def one_sided(holds_for: str) -> str:
-    """Return why the other verdict than this one says nothing of a file's curves."""
+    """Return a note on a verdict that does not hold for a file's curves."""
     if holds_for == "path":
-        return "curves were flattened outwards: this proof is about outlines; try --flatten inwards"
-    return "curves were flattened inwards: this path is among outlines; try --flatten outwards"
+        return (
+            "curves were flattened outwards: this proof holds for the flattened outlines only; "
+            "try --flatten inwards"
+        )
+    return (
+        "curves were flattened inwards: this path holds for the flattened outlines only; "
+        "try --flatten outwards"
+    )
 
 
 def print_verdict(result: Result, *, brief: bool) -> None:
-    """Print the verdict, coloured on a terminal, and unless `brief` the statistics."""
+    """Print the verdict, coloured on a terminal, and the statistics unless `brief`."""
     style = VERDICT_STYLES[result.verdict]
     first = headline(result, lambda verdict: styled(verdict, style, sys.stdout))
     emit(first if brief else f"{first}\n{statistics(result)}")

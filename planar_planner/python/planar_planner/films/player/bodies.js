@@ -1,4 +1,4 @@
-// What both views draw: the robot somewhere, the path of its reference point, and marks.
+// Drawing functions of both views: the robot, the path of its reference point, and marks.
 
 /** Draw a function's shapes in the robot's own frame at a configuration. */
 function atConfiguration(context, [x, y, theta], draw) {
@@ -9,7 +9,7 @@ function atConfiguration(context, [x, y, theta], draw) {
   context.restore();
 }
 
-/** The robot, filled and outlined; either colour may be null, and the outline dashed. */
+/** Draw the robot, filled and outlined; either colour may be null, and the outline may be dashed. */
 function drawRobot(view, shapes, q, { fill = null, edge = null, wide = 1.5, dashed = false }) {
   atConfiguration(view.context, q, (context) => {
     context.lineWidth = view.line(wide);
@@ -38,7 +38,7 @@ function drawLine(view, points, colour, wide) {
   context.stroke();
 }
 
-/** Where the goal is a region: its outline, filled unless the robot is to get out of it. */
+/** Draw the outline of a goal region, filled unless the robot has to leave it. */
 function drawRegion(view, region, colour, context = view.context) {
   context.lineWidth = view.line(2);
   context.strokeStyle = colour;
@@ -51,7 +51,7 @@ function drawRegion(view, region, colour, context = view.context) {
   context.setLineDash([]);
 }
 
-/** A point with a white rim. */
+/** Draw a point with a white rim. */
 function drawMark(view, [x, y], colour, radius) {
   const { context } = view;
   context.beginPath();
@@ -61,7 +61,7 @@ function drawMark(view, [x, y], colour, radius) {
   context.stroke();
 }
 
-/** Waypoints behind a travel, and the place reached. */
+/** Return the waypoints before a travel, and the place reached. */
 function pointsBehind(path, travel, where) {
   const behind = path.filter((_, k) => travel[k] < where);
   behind.push(configurationAt(path, travel, where));

@@ -1,4 +1,4 @@
-// How far the film is, from 0 to 1, while it plays and while it does not.
+// The position of the film, from 0 to 1, while it plays and while it is paused.
 
 class Clock {
   constructor(seconds, redraw) {
@@ -27,14 +27,14 @@ class Clock {
     this.redraw();
   }
 
-  /** Go to a share of the way, and stay there. */
+  /** Go to a share of the travel, and pause there. */
   seek(share) {
     this.share = Math.min(1, Math.max(0, share));
     this.last = null;
     this.pause();
   }
 
-  /** Time passes. A tab that was hidden goes on where it was. */
+  /** Advance to the present time; a tab that was hidden continues from its old position. */
   tick(now) {
     if (!this.playing) return;
     const elapsed = this.last === null ? 0 : Math.min(100, now - this.last);

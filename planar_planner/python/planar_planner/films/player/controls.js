@@ -2,9 +2,9 @@
 
 const byId = (id) => document.getElementById(id);
 
-const STEP = 0.01; // of the film, by an arrow key; ten of them with Shift
-const ZOOM = 1.25; // by a key or button
-const FOLLOW_ZOOM = 3; // where all is shown there is nothing to follow
+const STEP = 0.01; // share of the film for an arrow key; with Shift it is ten times as much
+const ZOOM = 1.25; // factor for a key or button
+const FOLLOW_ZOOM = 3; // without zoom the whole scene is visible, and following has no effect
 
 function listenToControls(clock, camera) {
   const nearer = () => camera.zoomAt(ZOOM, camera.x, camera.y);
@@ -72,10 +72,10 @@ function legendEntry(text, colour, dashed = false) {
   return entry;
 }
 
-/** Whether anything changes with time: a robot on its path, or an angle that goes round. */
+/** Return whether anything changes with time: a robot on its path, or the angle. */
 const moves = (material) => material.path.length > 0 || material.rotation;
 
-/** Everything on the page that never changes. */
+/** Fill in the parts of the page that never change. */
 function writeTexts(material) {
   const { colours, cells } = material;
   byId("name").textContent = material.name;
@@ -104,7 +104,7 @@ function writeTexts(material) {
   if (globalThis.innerWidth < 640) byId("details").open = false;
 }
 
-/** Everything on the page, outside the views, that changes. */
+/** Update the parts of the page outside the views. */
 function showState(material, clock, state) {
   const degrees = ((180 / Math.PI) * state.q[2]).toFixed(1);
   byId("play").setAttribute("aria-pressed", String(clock.playing));
@@ -118,5 +118,5 @@ function showState(material, clock, state) {
   byId("angle").textContent = `at θ = ${degrees}°`;
   const places = material.path.length ? state.q.slice(0, 2).map((v) => v.toPrecision(4)) : null;
   byId("where").textContent = places ? `at (${places.join(", ")}, ${degrees}°)` : "";
-  byId("probe").textContent = state.told;
+  byId("probe").textContent = state.probeText;
 }

@@ -1,7 +1,7 @@
-// Where the robot is when, and what of the plane is on the screen.
+// The robot's configuration at a travel, and the part of the plane on the screen.
 
 const TAU = 2 * Math.PI;
-const MOST_ZOOM = 1e4; // beyond, the single precision of canvases would show
+const MOST_ZOOM = 1e4; // above this the single precision of canvases becomes visible
 
 /** Configuration [x, y, theta] at a travel from the start; between waypoints it is linear. */
 function configurationAt(path, travel, where) {
@@ -42,7 +42,7 @@ class Camera {
     this.changed();
   }
 
-  /** Pixels a scene unit in a view of this size. */
+  /** Pixels per scene unit in a view of this size. */
   scale(width, height) {
     return this.zoom * Math.min(width / this.box.width, height / this.box.height);
   }
@@ -63,7 +63,7 @@ class Camera {
     this.keepNear();
   }
 
-  /** The centre stays in the scene, so that nobody gets lost. */
+  /** Keep the centre in the scene, so that the scene stays visible. */
   keepNear() {
     const { left, bottom, width, height } = this.box;
     this.x = Math.min(left + width, Math.max(left, this.x));

@@ -1,6 +1,6 @@
 // Mouse, touch and wheel in a view: drag to pan, pinch or wheel to zoom, tap or point to probe.
 
-const TAP = 6; // CSS pixels that a finger may slip in a tap
+const TAP = 6; // CSS pixels that a finger may move in a tap
 
 function listenToGestures(view, camera, probe) {
   const { canvas } = view;

@@ -1,4 +1,4 @@
-// Material → views, clock and controls; one frame at a time.
+// The page: it creates views, clock and controls from the material, and draws frames.
 
 const material = JSON.parse(document.getElementById("material").textContent);
 const camera = new Camera(material.world.view);
@@ -9,7 +9,7 @@ const slice = material.cells
 const views = slice ? [world, slice] : [world];
 const robot = material.robot.map(pathOf);
 const total = material.travel.length ? material.travel[material.travel.length - 1] : 0;
-const state = { robot, total, q: [0, 0, 0], where: 0, probe: null, told: "" };
+const state = { robot, total, q: [0, 0, 0], where: 0, probe: null, probeText: "" };
 
 let asked = false;
 let theme = readTheme();
@@ -29,7 +29,7 @@ function readTheme() {
   return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
 }
 
-/** Where the robot is; without a path the angle alone changes, once round. */
+/** Set the robot's configuration; without a path only the angle changes, through one turn. */
 function place() {
   state.where = clock.share * total;
   if (material.path.length) {
@@ -47,7 +47,7 @@ function follow() {
   world.stale = true;
 }
 
-function tell() {
+function probeText() {
   if (!state.probe || !slice) return "";
   slice.at(state.q[2]);
   const name = slice.labelAt(state.probe);
@@ -61,7 +61,7 @@ function frame(now) {
   clock.tick(now);
   place();
   if (camera.following) follow();
-  state.told = tell();
+  state.probeText = probeText();
   for (const view of views) {
     if (view.resize()) world.stale = true;
     view.draw(state, theme);
@@ -91,7 +91,7 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
   redraw();
 });
 
-/** For tests and the curious: what is shown. */
+/** The state that is shown, for tests and debugging. */
 globalThis.planarPlanner = () => ({
   share: clock.share,
   playing: clock.playing,

@@ -1,8 +1,8 @@
 // The cells that contain the robot's angle, in the plane of its reference point.
 
-const OUTLINED_FROM = 5; // CSS pixels of a cell's shorter side; in less a line hides the colour
+const OUTLINED_FROM = 5; // CSS pixels of a cell's shorter side; below this a line hides the colour
 
-/** Cells from base64: six little-endian uint16 corners and a label each, corners first. */
+/** Return cells from base64: six little-endian uint16 corners and one label each, corners first. */
 function decodeCells({ box, shown, data }) {
   const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
   const words = new DataView(bytes.buffer);
@@ -18,7 +18,7 @@ function decodeCells({ box, shown, data }) {
   return { left, bottom, from, right, top, to, label: bytes.subarray(12 * shown), count: shown };
 }
 
-/** Indices of the cells at an angle; a robot that may not turn has the same at any. */
+/** Return the indices of the cells at an angle; they are always the same if the robot cannot turn. */
 function cellsAt(cells, turn, turning) {
   const found = [];
   for (let i = 0; i < cells.count; i += 1) {
@@ -36,7 +36,7 @@ class SliceView extends View {
     this.turn = null;
   }
 
-  /** The cells at an angle, which are looked for only if it is another one. */
+  /** Find the cells at an angle, unless the angle is the same as before. */
   at(theta) {
     const turn = turnOf(theta);
     if (turn !== this.turn) {

@@ -5,12 +5,12 @@ class View {
     this.canvas = canvas;
     this.camera = camera;
     this.context = canvas.getContext("2d");
-    this.pixels = 1; // of the device a CSS pixel
+    this.pixels = 1; // device pixels per CSS pixel
     this.width = 0;
     this.height = 0;
   }
 
-  /** Take the size that the layout gives; true if it is another one. */
+  /** Take the size that the layout gives; return true if it has changed. */
   resize() {
     const pixels = Math.min(3, globalThis.devicePixelRatio || 1);
     const width = Math.max(1, Math.round(this.canvas.clientWidth * pixels));
@@ -25,7 +25,7 @@ class View {
     return this.camera.scale(this.width, this.height);
   }
 
-  /** Let what follows be drawn in scene units; y points up. */
+  /** Set the transform for drawing in scene units, with y upwards. */
   enterScene(context = this.context) {
     const s = this.scale;
     const { x, y } = this.camera;
@@ -36,7 +36,7 @@ class View {
     context.setTransform(1, 0, 0, 1, 0, 0);
   }
 
-  /** Scene units that a line of so many CSS pixels is wide. */
+  /** Width in scene units of a line of so many CSS pixels. */
   line(cssPixels) {
     return (cssPixels * this.pixels) / this.scale;
   }

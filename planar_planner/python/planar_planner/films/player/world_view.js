@@ -1,4 +1,4 @@
-// The robot among the obstacles. What stands still is drawn once for each place of the camera.
+// The robot among the obstacles. The still parts are drawn once for each place of the camera.
 
 class WorldView extends View {
   constructor(canvas, camera, material) {

@@ -1,4 +1,4 @@
-"""Loose lines and arcs → closed outlines, and closed outlines → figures with holes."""
+"""Closed outlines made of loose lines and arcs, and figures with holes made of outlines."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from planar_planner.errors import SceneError
-from planar_planner.formats.drawing import EVENODD, Figure
 from planar_planner.formats.outlines.curves import (
     Outline,
     Piece,
@@ -20,6 +19,7 @@ from planar_planner.formats.outlines.curves import (
     straight,
 )
 from planar_planner.formats.outlines.exact import contains
+from planar_planner.formats.outlines.figure import EVENODD, Figure
 from planar_planner.formats.parts import Notes, Point, Ring
 
 Run = list[Piece]
@@ -29,7 +29,7 @@ Key = tuple[int, int]
 def closed_outlines(runs: Sequence[Run], reach: float, place: str, notes: Notes) -> list[Outline]:
     """Join runs end to end, in either direction, until each is closed.
 
-    Ends no farther apart than `reach` are joined by a straight line.
+    A straight line joins ends that are no farther apart than `reach`.
 
     Raises
     ------
@@ -71,12 +71,12 @@ def closed_outlines(runs: Sequence[Run], reach: float, place: str, notes: Notes)
         widest = max(widest, gap)
         outlines.append(Outline(tuple(chain)))
     if widest > 0:
-        notes.say(f"{place}: ends that do not meet were joined, the widest gap is {widest!r}")
+        notes.say(f"{place}: ends that do not meet were joined; the widest gap is {widest!r}")
     return outlines
 
 
 class _Ends:
-    """The runs' ends, found by place: a grid of cells as wide as the reach."""
+    """An index of the runs' ends by place: a grid of cells as wide as the reach."""
 
     def __init__(self, runs: Sequence[Run], reach: float) -> None:
         self._reach = reach
@@ -89,7 +89,7 @@ class _Ends:
         return math.floor(p[0] / self._reach), math.floor(p[1] / self._reach)
 
     def other_near(self, p: Point, used: Sequence[bool]) -> list[tuple[int, bool]]:
-        """Return (run, whether it has to be turned round) of each unused end near a point."""
+        """Return (run, whether it has to be reversed) of each unused end near a point."""
         i, j = self._key(p)
         found = []
         for di in (-1, 0, 1):
@@ -101,9 +101,9 @@ class _Ends:
 
 
 def nested_figures(outlines: Sequence[Outline], tolerance: float, place: str) -> list[Figure]:
-    """Make figures of outlines: one inside another is a hole in it, one inside that is solid.
+    """Return figures of outlines: one inside another is a hole, and one inside a hole is solid.
 
-    Outlines that cross are figures of their own, whose union counts.
+    Outlines that cross become separate figures, and their union counts.
     """
     import shapely
 
@@ -116,7 +116,7 @@ def nested_figures(outlines: Sequence[Outline], tolerance: float, place: str) ->
             owners[i].append(j)
     figures: dict[int, list[Outline]] = {}
     depth: dict[int, int] = {}
-    for i in sorted(range(len(rings)), key=lambda i: len(owners[i])):  # owners before what they own
+    for i in sorted(range(len(rings)), key=lambda i: len(owners[i])):  # outer rings come first
         innermost = max(owners[i], key=depth.__getitem__, default=None)
         depth[i] = 0 if innermost is None else depth[innermost] + 1
         if innermost is None or depth[i] % 2 == 0:

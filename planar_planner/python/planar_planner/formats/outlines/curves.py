@@ -1,4 +1,4 @@
-"""Curved outlines → polygons on one side of them.
+"""Polygons that lie on one side of curved outlines.
 
 Every piece of an outline is a rational Bézier curve with positive weights, which lies in the convex
 hull of its control points (Farin, Curves and Surfaces for CAGD, section 13.2): lines, Bézier curves
@@ -26,11 +26,11 @@ Affine = tuple[float, float, float, float, float, float]
 """(a, b, c, d, e, f): x ↦ a·x + c·y + e, y ↦ b·x + d·y + f, as in SVG's ``matrix``."""
 
 SLACK = 2.0**-40
-"""Relative to the largest coordinate, how far computed vertices are pushed to their side. Halving a
-curve of degree n by k levels makes n·k averages, each off by at most 2 roundings of 2^-53; with
-n ≤ 8 and k ≤ `MAX_HALVINGS` that is below `SLACK`/8. Joints within `SLACK`/4 of the line past them
-are left out. A push by `SLACK` covers both where the polygon turns by less than 130°. Vertices that
-the file states stay exactly."""
+"""Length by which computed vertices are pushed to their side, relative to the largest coordinate.
+Halving a curve of degree n by k levels makes n·k averages, each with at most 2 roundings of 2^-53;
+with n ≤ 8 and k ≤ `MAX_HALVINGS` the error is below `SLACK`/8. Joints within `SLACK`/4 of the line
+past them are left out. A push by `SLACK` covers both where the polygon turns by less than 130°.
+Vertices that the file states are not moved."""
 
 
 MAX_HALVINGS = 48
@@ -39,7 +39,7 @@ MAX_HALVINGS = 48
 
 @dataclass(frozen=True)
 class Outline:
-    """A closed curve: pieces one after another, the last ending where the first begins."""
+    """A closed curve: a sequence of pieces, the last of which ends where the first begins."""
 
     pieces: tuple[Piece, ...]
 
@@ -79,18 +79,18 @@ def arc(
 ) -> list[Piece]:
     """Return the arc between two angles, in quarter turns.
 
-    Of a part with chord c = α·u + β·v and half angle h, the middle control point is where the
-    tangents at its ends cross: the chord's middle + (β·u − α·v)·tan(h)/2, of weight cos h. That
-    uses no centre, which large radii make ill-conditioned.
+    For a part with chord c = α·u + β·v and half angle h, the middle control point is the point
+    where the tangents at its ends cross: the chord's middle + (β·u − α·v)·tan(h)/2, with weight
+    cos h. This formula does not use the centre, which is ill-conditioned for large radii.
 
     Parameters
     ----------
     ellipse : Ellipse
-        With u × v other than 0.
+        An ellipse with u × v other than 0.
     begin, end : float
         Angles in radians.
     ends : (Point, Point), optional
-        Where the arc begins and ends, if the file states it.
+        The arc's first and last point, if the file states them.
     """
     parts = max(1, math.ceil(abs(end - begin) / (math.pi / 2) - 2.0**-40))
     joints = [ellipse.at(begin + (end - begin) * k / parts) for k in range(parts + 1)]
@@ -127,12 +127,12 @@ def last_point(piece: Piece) -> Point:
 
 
 def control_points(outline: Outline) -> list[Point]:
-    """Return all control points, whose hull holds the outline."""
+    """Return all control points; their hull contains the outline."""
     return [_point(p) for piece in outline.pieces for p in piece]
 
 
 def reversed_piece(piece: Piece) -> Piece:
-    """Return a piece run through backwards."""
+    """Return a piece in the reverse direction."""
     return piece[::-1]
 
 
@@ -142,16 +142,16 @@ def flattened(outline: Outline, side: int, tolerance: float) -> Ring:
     Parameters
     ----------
     outline : Outline
-        Closed.
+        A closed outline.
     side : {1, −1}
         1: no edge is to the right of the curve; −1: none is to its left.
     tolerance : float
-        Farthest that an edge may be from the curve.
+        Greatest distance of an edge from the curve.
 
     Raises
     ------
     SceneError
-        If a piece does not become flat: a defect of its control points.
+        If a piece does not become flat, because its control points have a defect.
     """
     size = max((max(abs(x), abs(y)) for x, y in control_points(outline)), default=0.0)
     slack = SLACK * size
@@ -172,7 +172,7 @@ def flattened(outline: Outline, side: int, tolerance: float) -> Ring:
 
 @dataclass(frozen=True)
 class _Limits:
-    """Which side, how thin a hull must be, and what is no length at all."""
+    """The side, the greatest thickness of a hull, and the length that counts as zero."""
 
     side: int
     thickness: float
@@ -180,7 +180,7 @@ class _Limits:
 
 
 def _flatten(piece: Piece, how: _Limits, level: int, chain: list[Point]) -> None:
-    """Append the boundary of the thin hulls on one side, but for the piece's last point."""
+    """Append the boundary of the thin hulls on one side, without the piece's last point."""
     points = [_point(p) for p in piece]
     if len(piece) == 2:
         if points[0] != points[1]:
@@ -200,10 +200,10 @@ def _flatten(piece: Piece, how: _Limits, level: int, chain: list[Point]) -> None
 
 
 def _is_thin(points: Sequence[Point], thickness: float) -> bool:
-    """Return whether the hull is thin and control points go from beginning to end.
+    """Return whether the hull is thin and the control points lie along the chord.
 
-    The curve then passes every place along its chord, and there both it and the hull's boundary are
-    within the hull, so within its thickness of each other.
+    The curve then passes every place along its chord. There both the curve and the hull's boundary
+    are in the hull, so their distance is at most the hull's thickness.
     """
     (x0, y0), (x1, y1) = points[0], points[-1]
     length = math.hypot(x1 - x0, y1 - y0)
@@ -218,7 +218,7 @@ def _is_thin(points: Sequence[Point], thickness: float) -> bool:
 
 
 def _hull_chain(points: Sequence[Point], side: int) -> list[Point]:
-    """Return the hull's boundary on one side of the chord, but for the last point (Andrew 1979)."""
+    """Return the hull's boundary on one side of the chord without the last point (Andrew 1979)."""
     (x0, y0), last = points[0], points[-1]
     dx, dy = last[0] - x0, last[1] - y0
     kept = [p for p in points[1:-1] if side * ((p[1] - y0) * dx - (p[0] - x0) * dy) > 0]
@@ -254,9 +254,9 @@ def _point(p: Homogeneous) -> Point:
 
 
 def _without_joints(ring: Ring, stated: list[bool], near: float) -> tuple[Ring, list[bool]]:
-    """Leave out computed vertices on the line from the one before to the one after.
+    """Leave out computed vertices on the line from their predecessor to their successor.
 
-    Where the pieces of a smooth curve meet, the polygon of control points goes straight on.
+    Where the pieces of a smooth curve meet, the polygon of control points is straight.
     """
     kept: Ring = []
     kept_stated: list[bool] = []
@@ -270,12 +270,12 @@ def _without_joints(ring: Ring, stated: list[bool], near: float) -> tuple[Ring, 
 
 
 def _past(a: Point, b: Point, p: Point) -> bool:
-    """Return whether p, near the line, is passed on the way from a to b."""
+    """Return whether p, which is near the line, lies between a and b along it."""
     return (p[0] - a[0]) * (b[0] - p[0]) + (p[1] - a[1]) * (b[1] - p[1]) >= 0
 
 
 def _pushed(ring: Ring, stated: Sequence[bool], by: float) -> Ring:
-    """Move every computed vertex to the left, or with negative `by` to the right."""
+    """Move every computed vertex to the left by the length `by`, or to the right if negative."""
     result: Ring = []
     for k, p in enumerate(ring):
         a, b = ring[k - 1], ring[(k + 1) % len(ring)]

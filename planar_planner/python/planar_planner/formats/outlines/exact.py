@@ -1,4 +1,4 @@
-"""Exact predicates on doubles, for the few doubtful cases that repairing rings meets."""
+"""Exact predicates on doubles, for the few doubtful cases in the repair of rings."""
 
 from __future__ import annotations
 
@@ -33,10 +33,10 @@ def strictly_between(a: Point, b: Point, p: Point) -> bool:
 
 
 def is_anticlockwise(ring: list[Point]) -> bool:
-    """Return whether a simple ring runs anticlockwise: by its turn at the leftmost corner; exact.
+    """Return whether a simple ring is anticlockwise, from its turn at the leftmost corner; exact.
 
-    The neighbours of the lowest of the leftmost vertices are not on one ray from it, or the ring
-    would overlap itself.
+    The neighbours of the lowest leftmost vertex are not on one ray from it, because the ring would
+    then overlap itself.
     """
     corner = min(range(len(ring)), key=ring.__getitem__)
     return orientation(ring[corner - 1], ring[corner], ring[(corner + 1) % len(ring)]) > 0

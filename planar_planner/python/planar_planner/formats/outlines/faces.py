@@ -1,9 +1,9 @@
-"""The region that rings bound, cut into its faces: exact, and at points of the input alone.
+"""The region that rings bound, cut exactly into its faces at points of the input only.
 
-The rings' edges are cut where vertices lie on them; edges run over equally often in both directions
-bound nothing and vanish. The rest is a planar graph. Its faces are traced by turning sharply left
-at every vertex, and the winding number of each follows from edge to edge: it is one more to the
-left of an edge than to its right.
+The rings' edges are cut where vertices lie on them. Edges that occur equally often in both
+directions bound nothing and are dropped. The rest is a planar graph. Its faces are traced by
+turning sharply left at every vertex. The winding number of each face follows from its neighbour's:
+it is one more to the left of an edge than to its right.
 """
 
 from __future__ import annotations
@@ -26,14 +26,14 @@ Edge = tuple[Point, Point]
 
 
 def region_of(rings: Sequence[Ring], rule: str | None) -> list[Shape]:
-    """Return the faces inside the rings as polygons: simple rings that touch in points at most.
+    """Return the faces inside the rings as polygons, whose simple rings touch at most in points.
 
     Parameters
     ----------
     rings : sequence of Ring
-        Without repeated vertices in a row.
+        Rings without successive equal vertices.
     rule : {"evenodd", "nonzero"} or None
-        What is inside. Without a rule both must agree.
+        The fill rule, which says what is inside. Without a rule both must agree.
 
     Raises
     ------
@@ -63,7 +63,7 @@ def _inside(winding: int, rule: str | None, ring: Ring) -> bool:
         return winding % 2 == 1
     if rule is None and winding != 0 and winding % 2 == 0:
         raise SceneError(
-            "rings go round the same place more than once, which leaves open what is inside",
+            "rings go round the same place more than once, so it is unclear what is inside",
             value=f"at {ring[0]!r}",
         )
     return winding != 0
@@ -95,7 +95,7 @@ def _near_pairs(edges: Sequence[Edge]) -> list[tuple[int, int]]:
 
 
 def _meet(edges: Sequence[Edge], i: int, j: int, cuts: dict[int, set[Point]]) -> None:
-    """Note where two edges have to be cut, or raise if they cross."""
+    """Record where two edges have to be cut, or raise `SceneError` if they cross."""
     (a, b), (c, d) = edges[i], edges[j]
     c_side, d_side = orientation(a, b, c), orientation(a, b, d)
     if c_side * d_side > 0:
@@ -112,7 +112,7 @@ def _meet(edges: Sequence[Edge], i: int, j: int, cuts: dict[int, set[Point]]) ->
 
 
 def _crossing(a: Point, b: Point, c: Point, d: Point) -> str:
-    """Return where two crossing segments cross, for people."""
+    """Return the place where two segments cross, as text for people."""
     rx, ry, sx, sy = b[0] - a[0], b[1] - a[1], d[0] - c[0], d[1] - c[1]
     across = rx * sy - ry * sx
     t = ((c[0] - a[0]) * sy - (c[1] - a[1]) * sx) / across if across else 0.5
@@ -120,9 +120,9 @@ def _crossing(a: Point, b: Point, c: Point, d: Point) -> str:
 
 
 def _jumps(edges: Sequence[Edge]) -> dict[Edge, int]:
-    """Return by how much the winding number is larger to the left than to the right.
+    """Return for each edge how much larger the winding number is on its left than on its right.
 
-    Both directions of an edge are listed; edges without a jump are not.
+    The result lists both directions of an edge, and no edges without a difference.
     """
     runs = Counter(edges)
     jumps: dict[Edge, int] = {}
@@ -142,7 +142,7 @@ def _walks(jumps: dict[Edge, int]) -> list[list[Point]]:
     following: dict[Edge, Edge] = {}
     for centre, ends in neighbours.items():
         ordered = sorted(ends, key=cmp_to_key(partial(_by_angle, centre)))
-        for k, end in enumerate(ordered):  # arriving from `end`, leave by the next one clockwise
+        for k, end in enumerate(ordered):  # the edge after `end` → centre is the next clockwise
             following[end, centre] = (centre, ordered[k - 1])
     walks = []
     left = dict.fromkeys(jumps)
@@ -190,7 +190,7 @@ def _simple_loops(walk: list[Point]) -> list[Ring]:
 
 
 def _homes(loops: Sequence[list[Ring]], outer: Sequence[Ring | None]) -> list[int]:
-    """Return the face that each walk bounds: its own, or the one round a component; −1 outside."""
+    """Return the face that each walk bounds: its own, or the one that surrounds it; −1 outside."""
     boxes = [_bounds(ring) if ring is not None else None for ring in outer]
     homes = []
     for walk, ring in enumerate(outer):

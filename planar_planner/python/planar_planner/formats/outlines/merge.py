@@ -1,8 +1,8 @@
-"""Many pieces → few polygons of exactly the same region.
+"""Unions of many pieces, as few polygons of exactly the same region.
 
-Pieces that touch are united where that takes no computed point: every edge of the union then lies
-on an edge between points of the file. Where it would, the pieces stay as they are, which the scene
-format allows: obstacles, and parts of a robot, may overlap.
+Pieces that touch are united if this needs no computed point: every edge of the union then lies on
+an edge between points of the file. Otherwise the pieces stay as they are. The scene format allows
+this, because obstacles and parts of a robot may overlap.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def merged(pieces: Sequence[Ring], place: str, notes: Notes) -> list[Shape]:
     Returns
     -------
     list of Shape
-        Valid polygons; their union is that of the pieces, apart from pieces without area.
+        Valid polygons with the same union as the pieces that have area.
     """
     import shapely
 
@@ -47,7 +47,7 @@ def merged(pieces: Sequence[Ring], place: str, notes: Notes) -> list[Shape]:
 
 
 def _distinct(pieces: Sequence[Ring], notes: Notes) -> list[Ring]:
-    """Return the pieces with area, each once."""
+    """Return each piece with area once."""
     found: dict[frozenset[Point], Ring] = {}
     flat = copies = 0
     for ring in pieces:
@@ -64,7 +64,7 @@ def _distinct(pieces: Sequence[Ring], notes: Notes) -> list[Ring]:
 
 
 def _touching(polygons: Any) -> list[list[int]]:
-    """Return the indices of polygons that hang together, group by group."""
+    """Return the connected groups of polygons, as lists of indices."""
     import shapely
 
     first, second = shapely.STRtree(polygons).query(polygons, predicate="intersects")
@@ -86,10 +86,10 @@ def _touching(polygons: Any) -> list[list[int]]:
 
 
 def _united(polygons: Any, rings: Sequence[Ring]) -> list[Shape] | None:
-    """Return GEOS's union if its boundary runs along edges of the pieces, else None.
+    """Return GEOS's union if its boundary runs along edges of the pieces, otherwise None.
 
-    GEOS decides by robust predicates and rounds computed points only, so a union whose edges all
-    are edges of pieces, or lie on one, has no rounded boundary.
+    GEOS decides by robust predicates and rounds only computed points. So a union has no rounded
+    boundary if each of its edges is an edge of a piece or lies on one.
     """
     import shapely
 

@@ -1,9 +1,9 @@
-"""Occupied cells of a grid → polygons of exactly the same region.
+"""Polygons of exactly the same region as the occupied cells of a grid.
 
-Corners of the region are found on the grid's integer points and joined along rows and columns, so
-the work grows with the corners, not with the cells. Occupied cells that touch in a corner alone are
-kept apart there: a robot cannot pass between them either way. Free cells that do so give two holes
-that touch in a point.
+The corners of the region are integer points of the grid, and they are joined along rows and
+columns. So the work grows with the number of corners, not of cells. Occupied cells that touch only
+in a corner are separate there; a robot cannot pass between them in either case. Free cells that
+touch only in a corner give two holes that touch in a point.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ Corners = NDArray[np.int64]
 
 
 def grid_polygons(occupied: NDArray[np.bool_]) -> list[list[GridRing]]:
-    """Return the polygons, outer ring first, that occupied cells make.
+    """Return the polygons of the occupied cells, each with its outer ring first.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ def grid_polygons(occupied: NDArray[np.bool_]) -> list[list[GridRing]]:
     Returns
     -------
     list of list of GridRing
-        Integer points (x, y), vertices at corners alone.
+        Integer points (x, y); all vertices are corners.
     """
     padded = np.pad(occupied, 1)
     labels = _Labels(padded)
@@ -49,8 +49,8 @@ def grid_polygons(occupied: NDArray[np.bool_]) -> list[list[GridRing]]:
 def _corners(padded: NDArray[np.bool_]) -> Corners:
     """Return (x, y, horizontal, vertical) of each corner, in the unpadded grid's points.
 
-    Horizontal is 1 if the boundary leaves the corner to the right, else 0; vertical is 1 if it
-    leaves upwards. Where two cells touch in a corner it counts twice, once for each cell.
+    Horizontal is 1 if the boundary leaves the corner to the right, otherwise 0; vertical is 1 if it
+    leaves upwards. A corner in which two cells touch counts twice, once for each cell.
     """
     lower, upper = padded[:-1], padded[1:]
     lower_left, lower_right = lower[:, :-1], lower[:, 1:]
@@ -69,14 +69,14 @@ def _corners(padded: NDArray[np.bool_]) -> Corners:
 
 
 def _walks(corners: Corners) -> list[GridRing]:
-    """Join corners along rows and columns, and follow the joints round."""
+    """Join corners along rows and columns, and follow the joints to closed walks."""
     x, y, right, above = corners.T
     along_rows = np.lexsort((right, x, y)).reshape(-1, 2)
     along_columns = np.lexsort((above, y, x)).reshape(-1, 2)
     partners = []
     for pairs in (along_rows, along_columns):
-        # the first of each pair leaves forwards and the second backwards; a corner that counts
-        # twice sorts its backward joint first, which ends the pair before it
+        # the first of each pair leaves forwards and the second backwards; for a corner that counts
+        # twice the backward joint is sorted first, and it ends the previous pair
         partner = np.empty(len(corners), dtype=np.int64)
         partner[pairs[:, 0]], partner[pairs[:, 1]] = pairs[:, 1], pairs[:, 0]
         partners.append(partner.tolist())
@@ -118,7 +118,7 @@ def _simple(walk: GridRing) -> list[GridRing]:
 
 
 class _Labels:
-    """Which occupied cells hang together along edges: runs of a row, joined to the row below."""
+    """Components of occupied cells along edges: runs of a row, joined to those of the row below."""
 
     def __init__(self, padded: NDArray[np.bool_]) -> None:
         self._columns = padded.shape[1]

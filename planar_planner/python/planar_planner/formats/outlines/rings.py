@@ -1,9 +1,9 @@
-"""Rings as files have them → valid polygons of the very same region, or the place of a defect.
+"""The repair of rings: valid polygons of exactly the same region, or the place of a defect.
 
 Repeated vertices and zero-length edges are dropped. Rings that touch themselves or each other, and
-edges run over twice in opposite directions (a hole joined to its outer ring by a bridge), are cut
-into simple rings at points that the file itself names. What would need a computed point, rings that
-cross, is refused: no double is that point.
+edges that occur twice in opposite directions (a bridge from a hole to its outer ring), are cut into
+simple rings at points that the file itself states. Rings that cross are refused, because they need
+a computed point, and in general no double is that point.
 """
 
 from __future__ import annotations
@@ -35,13 +35,13 @@ def polygons_of(
     Parameters
     ----------
     rings : sequence of Ring
-        Of one figure: an outer ring and holes, or the subpaths of a drawing.
+        Rings of one figure: an outer ring and holes, or the subpaths of a drawing.
     place : str
-        Where the figure stands in its file, for messages.
+        Place of the figure in its file, for messages.
     notes : Notes
-        Told of everything that was done.
+        Receives a note on every change.
     rule : {"evenodd", "nonzero"}, optional
-        What is inside, where rings go round a point more than once. Without a rule both must agree.
+        The fill rule where rings go round a point more than once. Without a rule both must agree.
 
     Raises
     ------
@@ -53,7 +53,7 @@ def polygons_of(
         kept = without_repeats(ring)
         dropped = len(ring) - len(kept)
         if ring and ring[0] == ring[-1]:
-            dropped -= 1  # the repeated last vertex, which closes the ring, is no flaw
+            dropped -= 1  # the repeated last vertex closes the ring and is not a defect
         notes.count("repeated vertices dropped", max(dropped, 0))
         if len(set(kept)) < MIN_RING:
             notes.count("rings without area dropped")
@@ -77,9 +77,10 @@ def polygons_of(
 
 
 def _reads_as_written(rings: list[Ring], rule: str | None) -> bool:
-    """Return whether an outer ring with holes in it, as a polygon is written, is what is meant.
+    """Return whether the rings mean an outer ring with holes, as a polygon is written.
 
-    By the even–odd rule it is; by the other, if the holes run against the outer ring.
+    They do by the even–odd rule; by the other rule they do if the holes have the opposite
+    orientation to the outer ring.
     """
     if len(rings) == 1 or rule == "evenodd":
         return True
@@ -88,7 +89,7 @@ def _reads_as_written(rings: list[Ring], rule: str | None) -> bool:
 
 
 def _is_valid(shape: Shape) -> bool:
-    """Return whether the rings are a valid polygon as they stand: outer ring first; exact."""
+    """Return whether the rings, the outer one first, are a valid polygon; exact."""
     coords = np.array([p for ring in shape for p in ring], dtype=np.float64)
     starts = np.cumsum([0, *map(len, shape)]).astype(np.uint32)
     polygons = RawPolygons(

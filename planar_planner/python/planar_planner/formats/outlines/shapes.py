@@ -1,4 +1,4 @@
-"""GeoJSON geometry ⇄ shapes."""
+"""Conversions of GeoJSON geometry to shapes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from planar_planner.scene.geojson import iter_polygons
 
 
 def shapes_of_geometry(geometry: object, path: str) -> Iterator[tuple[str, Shape]]:
-    """Yield (field path, shape) of each polygon of a geometry, as written but for closed rings."""
+    """Yield (field path, shape) of each polygon of a geometry, without repeated last vertices."""
     for place, rings in iter_polygons(geometry, path):
         yield place, [_ring(ring, f"{place}[{r}]") for r, ring in enumerate(rings)]
 
@@ -21,7 +21,7 @@ def shapes_of_geometry(geometry: object, path: str) -> Iterator[tuple[str, Shape
 def repaired(geometry: object, path: str, notes: Notes) -> list[Shape]:
     """Return a geometry's polygons, valid and of the same region; see `polygons_of`.
 
-    Rings after the first are holes whichever way they run: the even–odd rule.
+    Rings after the first are holes in either orientation (the even–odd rule).
     """
     return [
         shape

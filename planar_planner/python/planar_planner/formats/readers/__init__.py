@@ -1,1 +1,1 @@
-"""One module an outside format, with a function `read` that turns a file into `Parts`."""
+"""Readers: one module per format, with a function `read` that turns a file into `Parts`."""

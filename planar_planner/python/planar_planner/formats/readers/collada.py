@@ -1,8 +1,8 @@
-"""Collada meshes → the regions that their triangles cover in the plane.
+"""The reader of Collada meshes: the regions that their triangles cover in the plane.
 
-Parsed with the standard library: what is needed of a mesh is a few lines, and the libraries that
-read Collada (pycollada, trimesh) store single precision, which would move every vertex. Node
-transforms and the file's unit are applied in doubles.
+The standard library parses the file, because a mesh needs only a few lines of code and the
+libraries that read Collada (pycollada, trimesh) store single precision, which moves every vertex.
+Node transforms and the file's unit are applied in doubles.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point, Rin
 from planar_planner.formats.xml_tree import parse_xml
 
 Matrix = NDArray[np.float64]
-_MAX_DEPTH = 100  # of nodes; a node that instances itself would never end
-_MAX_NODES = 10**5  # placed in all; few nodes can instance each other very often
-_UPRIGHT: Mapping[str, Matrix] = {  # to Y_UP, as the importer behind OMPL.app does it
+_MAX_DEPTH = 100  # depth of nodes; a node that instances itself would never end
+_MAX_NODES = 10**5  # nodes placed in all; few nodes can instance each other very often
+_UPRIGHT: Mapping[str, Matrix] = {  # transform to Y_UP, as in the importer behind OMPL.app
     "Y_UP": np.eye(4),
     "Z_UP": np.array([[1, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1.0]]),
     "X_UP": np.array([[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]]),
@@ -34,15 +34,15 @@ _UPRIGHT: Mapping[str, Matrix] = {  # to Y_UP, as the importer behind OMPL.app d
 
 @dataclass
 class Mesh:
-    """Faces and corners of a file, projected to its x–y plane after making y point upwards.
+    """Faces and corners of a file, turned so that y points upwards and projected to the x–y plane.
 
     Attributes
     ----------
     faces : list of Ring
-        Triangles, and polygons as they are: cutting them might cut them wrongly.
+        Triangles, and polygons without any cut, since a cut could be wrong.
     corners : list of Point
-        One a vertex as OMPL.app's importer counts them: a position with each of its normals and
-        texture coordinates, once in each group of triangles that uses it.
+        One point for each vertex as OMPL.app's importer counts them: a position with each of its
+        normals and texture coordinates, once in each group of triangles that uses it.
     """
 
     faces: list[Ring] = field(default_factory=list)
@@ -50,7 +50,7 @@ class Mesh:
 
 
 def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
-    """Read a mesh as a robot, its reference point the mean of its vertices."""
+    """Read a mesh as a robot whose reference point is the mean of its vertices."""
     del path, options
     return Parts(robot=centred(mesh_of(data), notes))
 
@@ -64,7 +64,7 @@ def centred(mesh: Mesh, notes: Notes) -> list[Shape]:
 
 
 def region(mesh: Mesh, notes: Notes) -> list[Shape]:
-    """Return the region of a mesh where it is."""
+    """Return the region of a mesh in the file's own frame."""
     return merged(mesh.faces, "world", notes)
 
 
@@ -181,7 +181,7 @@ def _add_geometry(
     place = f"geometry {cut(geometry.get('id') or '')!r}"
     body = geometry.find("mesh")
     if body is None:
-        raise SceneError("is no mesh", place)
+        raise SceneError("is not a mesh", place)
     for group in body:
         if group.tag in ("triangles", "polylist", "polygons", "tristrips", "trifans"):
             _add_group(document, group, matrix, mesh, f"{place}, {group.tag}")

@@ -1,7 +1,7 @@
-"""DXF drawings: layers say what is what. Read by ezdxf; blocks are taken apart.
+"""The reader of DXF drawings, by ezdxf: layers state roles, and blocks are expanded.
 
-Lines, arcs and splines of a layer are joined to closed outlines. Of outlines inside each other on a
-layer, every second one is a hole.
+Lines, arcs and splines of a layer are joined to closed outlines. If outlines on a layer lie inside
+each other, every second one is a hole.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from planar_planner.formats.reading import coordinate, require
 from planar_planner.formats.roles import role_of
 from planar_planner.tolerances import JOIN_REACH
 
-_MAX_DEPTH = 16  # of blocks in blocks
+_MAX_DEPTH = 16  # depth of blocks in blocks
 _MAX_ENTITIES = 10**6
 _MARKS = ("start", "goal", "origin")
 _SILENT = ("TEXT", "MTEXT", "DIMENSION", "LEADER", "VIEWPORT", "HATCH", "ATTDEF")
@@ -39,9 +39,9 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
         return _parts(entities, options, notes)
     except SceneError:
         raise
-    except Exception as error:  # whatever ezdxf raises on a broken file
+    except Exception as error:  # ezdxf raises many types on a broken file
         reason = cut(" ".join(str(error).split())) or type(error).__name__
-        raise SceneError(f"is no DXF that can be read: {reason}") from None
+        raise SceneError(f"cannot be read as DXF: {reason}") from None
 
 
 def _stream(data: bytes) -> io.TextIOBase:
@@ -54,7 +54,7 @@ def _stream(data: bytes) -> io.TextIOBase:
 
 
 def _entities(layout: Iterable[Any], layer: str, depth: int) -> Iterator[tuple[str, Any]]:
-    """Yield (layer, entity), blocks taken apart; layer 0 in a block is that of its insertion."""
+    """Yield (layer, entity) with blocks expanded; layer 0 in a block is its insertion's layer."""
     for entity in layout:
         own = entity.dxf.get("layer", "0")
         own = layer if own == "0" and depth else own
@@ -116,7 +116,7 @@ def _mark_points(entity: Any, place: str) -> list[Point]:
         return [_xy(entity.ocs().to_wcs(entity.dxf.center))]
     run = _run(entity, place)
     if not run:
-        raise SceneError("is no mark: a point, a circle or a line is", place)
+        raise SceneError("cannot be a mark; use a point, a circle or a line", place)
     return [curves.first_point(run[0]), curves.last_point(run[-1])]
 
 
@@ -174,7 +174,7 @@ def _polyline(entity: Any, place: str) -> Iterator[Piece]:
             raise SceneError("is a mesh, not an outline", place)
         corners = [(ocs.to_wcs(v.dxf.location), v.dxf.get("bulge", 0.0)) for v in entity.vertices]
         closed = bool(entity.is_closed)
-    mirror = ocs.uz.z  # seen from below, arcs turn the other way
+    mirror = ocs.uz.z  # arcs that are seen from below turn the other way
     following = [*corners[1:], *(corners[:1] if closed else [])]
     for (p, bulge), (q, _) in zip(corners, following, strict=False):
         a, b = _xy(p), _xy(q)
@@ -245,14 +245,14 @@ def _elliptical_arc(entity: Any, place: str) -> Iterator[Piece]:
 
 
 def _spline(entity: Any, place: str) -> Iterator[Piece]:
-    """Yield the Bézier curves of a spline; weights ride along as a third coordinate."""
+    """Yield the Bézier curves of a spline; weights are a third coordinate."""
     math_module: Any = require("ezdxf.math", "reading DXF", "dxf")
     points = [_xy(math_module.Vec3(p)) for p in entity.control_points]
     if not points:
-        raise SceneError("has no control points; turn it into one that does", place)
+        raise SceneError("has no control points; turn it into a spline that has them", place)
     weights = [float(w) for w in entity.weights] or [1.0] * len(points)
     if len(weights) != len(points) or not all(0 < w < math.inf for w in weights):
-        raise SceneError("must have one positive weight a control point", place)
+        raise SceneError("must have one positive weight per control point", place)
     spline = math_module.BSpline(
         [(x * w, y * w, w) for (x, y), w in zip(points, weights, strict=True)],
         order=int(entity.dxf.degree) + 1,

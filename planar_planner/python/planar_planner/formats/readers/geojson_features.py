@@ -1,8 +1,9 @@
-"""GeoJSON: a FeatureCollection whose features say in ``properties.role`` what they are.
+"""The reader of GeoJSON: a FeatureCollection whose features state roles in ``properties.role``.
 
-Roles: ``robot`` (in its own frame), ``obstacle`` (also without a role), ``workspace``, ``start``
-and ``goal`` (Points with ``properties.theta`` in radians), ``reference_bounds`` (a rectangle).
-A bare geometry or Feature without a role is an obstacle, or the robot where one is asked for.
+The roles are ``robot`` (in its own frame), ``obstacle`` (also the default), ``workspace``,
+``start`` and ``goal`` (Points with ``properties.theta`` in radians), and ``reference_bounds`` (a
+rectangle). A bare geometry or a Feature without a role is an obstacle, or the robot if the file is
+read for a robot.
 """
 
 from __future__ import annotations
@@ -16,20 +17,19 @@ from planar_planner.formats.outlines.shapes import position, repaired
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Shape
 from planar_planner.scene import fields
 from planar_planner.scene.fields import Box, Configuration
+from planar_planner.scene.json_file import parse
 
 ROLES = ("robot", "obstacle", "workspace", "start", "goal", "reference_bounds")
 
 
 def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
     """Read a FeatureCollection, a Feature or a geometry."""
-    from planar_planner.scene.json_file import parse
-
     del options
     return parts_of(parse(data, str(path)), notes)
 
 
 def parts_of(content: object, notes: Notes) -> Parts:
-    """Return what GeoJSON content says."""
+    """Return the parts of GeoJSON content."""
     members = fields.mapping(content, "")
     if members.get("type") != "FeatureCollection":
         features: Any = [members]
@@ -51,7 +51,7 @@ def _text(members: Mapping[str, object], name: str) -> str:
 
 
 def _take(feature: Mapping[str, object], place: str, parts: Parts, notes: Notes) -> None:
-    """Put one feature where its role says."""
+    """Add one feature to the part that its role names."""
     dot = f"{place}." if place else ""
     geometry: object = feature
     properties: Mapping[str, object] = {}
@@ -84,7 +84,7 @@ def _take(feature: Mapping[str, object], place: str, parts: Parts, notes: Notes)
 
 
 def _bare(geometry: object, where: str) -> object:
-    """Leave out members that other programs add to a geometry."""
+    """Return a geometry without members that other programs add."""
     members = fields.mapping(geometry, where)
     return {k: v for k, v in members.items() if k in ("type", "coordinates", "geometries")}
 

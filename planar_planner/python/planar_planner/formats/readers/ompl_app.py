@@ -1,4 +1,4 @@
-"""OMPL.app's 2-D problems: an INI file that names two Collada meshes, start, goal and bounds."""
+"""The reader of OMPL.app's 2-D problems: an INI file with two Collada meshes, ends and bounds."""
 
 from __future__ import annotations
 
@@ -11,18 +11,19 @@ from planar_planner.formats.parts import ImportOptions, Notes, Parts
 from planar_planner.formats.readers.collada import Mesh, centred, mesh_of, region
 from planar_planner.formats.reading import angle, coordinate, text_of
 from planar_planner.scene.fields import Box, Configuration
+from planar_planner.scene.json_file import file_bytes
 
 _BOUNDS = ("volume.min.x", "volume.min.y", "volume.max.x", "volume.max.y")
 _SPATIAL = ("start.z", "goal.z", "volume.min.z", "volume.max.z")
 
 
 def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
-    """Read a problem and its meshes, which lie beside it."""
+    """Read a problem and its meshes, which lie in the same folder."""
     parser = configparser.ConfigParser(strict=False, interpolation=None)
     try:
         parser.read_string(text_of(data))
     except configparser.Error as error:
-        raise SceneError(f"is no INI file: {' '.join(str(error).split())}") from None
+        raise SceneError(f"is not an INI file: {' '.join(str(error).split())}") from None
     if not parser.has_section("problem"):
         raise SceneError("section is missing", "[problem]")
     problem = parser["problem"]
@@ -39,8 +40,6 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
 
 
 def _mesh(problem: Mapping[str, str], key: str, path: Path) -> Mesh:
-    from planar_planner.scene.json_file import file_bytes
-
     name = (problem.get(key) or "").strip()
     if not name:
         raise SceneError("is missing", f"[problem] {key}")
@@ -52,7 +51,7 @@ def _mesh(problem: Mapping[str, str], key: str, path: Path) -> Mesh:
 
 
 def _configuration(problem: Mapping[str, str], name: str) -> Configuration | None:
-    """Return start or goal; None if the file does not say, so that the options may."""
+    """Return start or goal; None if the file states none, so that the options can."""
     keys = [f"{name}.{part}" for part in ("x", "y", "theta")]
     if not any(key in problem for key in keys):
         return None

@@ -1,8 +1,8 @@
-"""ROS maps: ``map.yaml`` with a PGM or PNG image of cells, and Nav2's footprint.
+"""The reader of ROS maps: ``map.yaml`` with a PGM or PNG image of cells, and Nav2's footprint.
 
-Cells are judged as Nav2's map server does. The workspace is the map's rectangle, in which the whole
-robot stays: nothing is known outside it. A footprint may stand in the same file or in a parameter
-file given with ``--robot``; start and goal come from the command line.
+Cells are classified as Nav2's map server does. The workspace is the map's rectangle, in which the
+whole robot stays, because nothing is known outside it. A footprint may be in the same file or in a
+parameter file given with ``--robot``; start and goal come from the command line.
 """
 
 from __future__ import annotations
@@ -23,13 +23,14 @@ from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point
 from planar_planner.formats.reading import require, text_of
 from planar_planner.formats.robots import from_footprint
 from planar_planner.scene import fields
+from planar_planner.scene.json_file import file_bytes
 
 MAX_CELLS = 2**26
-"""Largest number of cells of a map, 8192 × 8192; reading takes some ten bytes a cell."""
+"""Largest number of cells of a map, 8192 × 8192; reading takes some ten bytes per cell."""
 
-_MAX_DEPTH = 50  # of a parameter file
+_MAX_DEPTH = 50  # depth of nested parameters in a parameter file
 _MAX_TEXT = 2**20  # bytes of a YAML file; its parser is slow, and such files are small
-_MAX_BRACKETS = 1000  # in it: the parser's time grows with the square of their nesting
+_MAX_BRACKETS = 1000  # brackets in a YAML file; the parser takes time quadratic in their nesting
 _MODES = ("trinary", "scale", "raw")
 
 
@@ -65,10 +66,10 @@ def occupied_cells(
 ) -> NDArray[np.bool_]:
     """Return which cells are obstacles, the lowest row first.
 
-    With occupancy p = (255 − value) / 255, or value / 255 if ``negate``: occupied if p ≥
-    ``occupied_thresh``, free if p ≤ ``free_thresh``, unknown between. In mode ``scale`` what lies
-    between is partly occupied, which is unknown here, and transparent cells are unknown; in mode
-    ``raw`` the value is the occupancy in percent, and above 100 unknown.
+    The occupancy is p = (255 − value) / 255, or value / 255 if ``negate``. A cell is occupied if
+    p ≥ ``occupied_thresh``, free if p ≤ ``free_thresh``, and unknown between. In mode ``scale``
+    values between are partly occupied, which counts as unknown here, and transparent cells are
+    unknown. In mode ``raw`` the value is the occupancy in percent, and above 100 it is unknown.
     """
     name = fields.text(content.get("image"), "image")
     mode = content.get("mode", "trinary")
@@ -96,15 +97,13 @@ def occupied_cells(
 
 def _image(file: Path) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     """Return the mean of the colours of each cell, 0 to 255, and whether it is opaque."""
-    from planar_planner.scene.json_file import file_bytes
-
     data = file_bytes(file, str(file))
     try:
         mode, pixels = _decoded(data)
     except SceneError as error:
         raise error if error.source else error.in_source(str(file)) from None
-    except Exception as error:  # whatever a decoder raises on a broken file
-        raise SceneError(f"is no image: {cut(str(error))}", source=str(file)) from None
+    except Exception as error:  # decoders raise many types on a broken file
+        raise SceneError(f"is not an image: {cut(str(error))}", source=str(file)) from None
     channels = pixels.reshape(*pixels.shape[:2], -1).astype(np.float64)
     opaque = np.ones(pixels.shape[:2], dtype=np.bool_)
     if mode in ("LA", "RGBA"):
@@ -117,7 +116,7 @@ def _decoded(data: bytes) -> tuple[str, NDArray[np.uint8]]:
     """Return Pillow's name of the channels, and the pixels."""
     image_module: Any = require("PIL.Image", "reading a map's image", "ros")
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # on size, which is checked here
+        warnings.simplefilter("ignore")  # the warnings are about size, which is checked here
         image = image_module.open(BytesIO(data), formats=("PPM", "PNG", "BMP"))
         if image.size[0] * image.size[1] > MAX_CELLS:
             raise SceneError(f"has more than {MAX_CELLS} cells")
@@ -125,12 +124,12 @@ def _decoded(data: bytes) -> tuple[str, NDArray[np.uint8]]:
             image = image.convert("RGBA" if image.mode == "P" else "L")
         pixels = np.asarray(image)
     if pixels.dtype != np.uint8 or image.mode not in ("L", "LA", "RGB", "RGBA"):
-        raise SceneError("must have 8 bits a channel", value=image.mode)
+        raise SceneError("must have 8 bits per channel", value=image.mode)
     return image.mode, pixels
 
 
 class _Placement:
-    """Where the map's corner points lie in the world."""
+    """The places of the map's corner points in the world."""
 
     def __init__(self, content: Mapping[str, object], shape: tuple[int, ...]) -> None:
         self.resolution = fields.coordinate(content.get("resolution"), "resolution")
@@ -142,7 +141,7 @@ class _Placement:
         x, y = (fields.coordinate(origin[k], f"origin[{k}]") for k in (0, 1))
         yaw = fields.angle(origin[2], "origin[2]")
         rows, columns = shape
-        # one rounding for the product and one for the sum, the same wherever a point is used
+        # one rounding for the product and one for the sum, the same at every use of a point
         self._along = [k * self.resolution for k in range(max(rows, columns) + 1)]
         self._origin = x, y
         self._turn = (math.cos(yaw), math.sin(yaw)) if yaw else None
@@ -174,9 +173,9 @@ def _yaml(data: bytes) -> object:
         place = f"line {mark.line + 1}" if mark is not None else ""
         reason = getattr(error, "problem", None) or str(error)
         raise SceneError(f"is not YAML: {cut(' '.join(reason.split()))}", place) from None
-    except (ValueError, RecursionError) as error:  # a date that is none, a number too large
+    except (ValueError, RecursionError) as error:  # an impossible date, or a number too large
         raise SceneError(f"is not YAML: {cut(str(error))}") from None
-    if aliases:  # which can make little text into much content
+    if aliases:  # aliases can turn little text into much content
         raise SceneError("uses YAML aliases, which are not read")
     return content
 

@@ -1,7 +1,7 @@
-"""SVG drawings. Ids, labels and classes say what is what; y is turned upwards.
+"""The reader of SVG drawings: ids, labels and classes state roles, and y is turned upwards.
 
-The grammar of path data and transforms is svgpathtools'. User units are the scene's unit: the
-document's width, height and viewBox are not looked at.
+svgpathtools parses path data and transforms. User units are the scene's unit; the document's width,
+height and viewBox are ignored.
 """
 
 from __future__ import annotations
@@ -15,9 +15,10 @@ from typing import Any
 from xml.etree import ElementTree
 
 from planar_planner.errors import SceneError, cut, shown
-from planar_planner.formats.drawing import EVENODD, NONZERO, Drawing, Figure, mark_of, parts_of
+from planar_planner.formats.drawing import Drawing, mark_of, parts_of
 from planar_planner.formats.outlines import curves
 from planar_planner.formats.outlines.curves import Affine, Outline, Piece
+from planar_planner.formats.outlines.figure import EVENODD, NONZERO, Figure
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point
 from planar_planner.formats.reading import coordinate, require
 from planar_planner.formats.roles import role_of
@@ -42,7 +43,7 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
 
 
 class _Context:
-    """What an element has from its groups: their names, transform and fill rule."""
+    """What an element inherits from its groups: their names, transform and fill rule."""
 
     def __init__(self, names: tuple[str, ...], matrix: Affine, rule: str) -> None:
         self.names = names
@@ -50,7 +51,7 @@ class _Context:
         self.rule = rule
 
     def within(self, element: ElementTree.Element, place: str) -> _Context:
-        """Return the context of an element's inside."""
+        """Return the context of an element's children."""
         return _Context(
             (*_names(element), *self.names),
             _product(self.matrix, _transform(element, place)),
@@ -111,7 +112,7 @@ def _check(piece: Piece, place: str) -> None:
 def _mark(
     element: ElementTree.Element, runs: list[list[Piece]], matrix: Affine, place: str
 ) -> tuple[float, float, float]:
-    """Return position and direction: of a circle its centre, of a line its beginning."""
+    """Return position and direction; the position is a circle's centre or a line's beginning."""
     if element.tag in ("circle", "ellipse"):
         centre = (_length(element, "cx", place), _length(element, "cy", place))
         points = [curves.first_point(curves.transformed(((*centre, 1.0),), matrix))]
@@ -175,11 +176,11 @@ def _path_runs(text: str, place: str) -> Iterator[list[Piece]]:
         try:
             path = svgpathtools.parse_path(pending, current_pos=current)
             pieces = [piece for segment in path for piece in _pieces(segment, svgpathtools)]
-        except Exception as error:  # whatever the parser raises on broken path data
+        except Exception as error:  # the parser raises many types on broken path data
             reason = cut(" ".join(str(error).split())) or type(error).__name__
             raise SceneError(f"path data cannot be read: {reason}", place, cut(pending)) from None
         if len(path) == 0:
-            continue  # a move alone, which the next relative one starts from
+            continue  # this is a move alone, from which the next relative move starts
         current = path[0].start if pending.rstrip(" \t\r\n,")[-1] in "zZ" else path[-1].end
         pending = ""
         if pieces:
@@ -282,7 +283,7 @@ def _transform(element: ElementTree.Element, place: str) -> Affine:
     try:
         m = svgpathtools.parse_transform(text, strict=True)
         values = [float(m[i][j]) for j in range(3) for i in range(2)]
-    except Exception as error:  # whatever the parser raises on a broken transform
+    except Exception as error:  # the parser raises many types on a broken transform
         reason = cut(" ".join(str(error).split())) or type(error).__name__
         raise SceneError(f"transform cannot be read: {reason}", place, cut(text)) from None
     if not all(map(math.isfinite, values)):

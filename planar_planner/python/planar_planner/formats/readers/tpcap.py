@@ -1,8 +1,8 @@
-"""Parking-competition cases (TPCAP): start, goal and obstacles as one run of numbers.
+"""The reader of parking-competition cases (TPCAP): start, goal and obstacles as a list of numbers.
 
-x₀, y₀, θ₀, x₁, y₁, θ₁, the number n of obstacles, their n numbers of vertices, then all vertices
-as x, y. Written in a row or a column. The robot is the competition's car, its reference point the
-middle of the rear axle.
+The list has x₀, y₀, θ₀, x₁, y₁, θ₁, the number n of obstacles, their n numbers of vertices, then
+all vertices as x, y, in a row or a column. The robot is the competition's car, whose reference
+point is the middle of the rear axle.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ WHEELBASE = 2.8
 FRONT_OVERHANG = 0.96
 WIDTH = 1.942
 
-_FRONT = 3.76  # WHEELBASE + FRONT_OVERHANG; their sum as a double is this one
+_FRONT = 3.76  # WHEELBASE + FRONT_OVERHANG; their sum in doubles is this double
 CAR: Shape = [
     [
         (-REAR_OVERHANG, -WIDTH / 2),
@@ -30,7 +30,7 @@ CAR: Shape = [
         (-REAR_OVERHANG, WIDTH / 2),
     ]
 ]
-_MOST = 10**6  # obstacles of a case, and vertices of one
+_MOST = 10**6  # most obstacles of a case, and most vertices of an obstacle
 
 
 def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
@@ -39,7 +39,7 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
     values = re.split(r"[,;\s]+", text_of(data).strip(" ,;\t\r\n"))
     if len(values) < 7:
         found = len(values) if values[0] else 0
-        raise SceneError(f"a case begins with seven numbers, of which {found} are there")
+        raise SceneError(f"a case begins with seven numbers, but the file has {found}")
     names = [f"value {i + 1}" for i in range(len(values))]
     start, goal = (_configuration(values, names, first) for first in (0, 3))
     count = whole(values[6], f"{names[6]} (number of obstacles)", 0, _MOST)
@@ -51,7 +51,7 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
         sizes.append(whole(values[7 + k], place, 1, _MOST))
     expected = 7 + count + 2 * sum(sizes)
     if len(values) != expected:
-        raise SceneError(f"has {len(values)} values where {expected} were announced")
+        raise SceneError(f"has {len(values)} values, but it announces {expected}")
     obstacles: list[Shape] = []
     at = 7 + count
     for k, size in enumerate(sizes):

@@ -1,8 +1,9 @@
-"""Well-known text, one geometry a line, with an optional role before it and ``#`` comments.
+"""The reader of well-known text: one geometry per line, an optional role before it, ``#`` comments.
 
-``robot POLYGON ((…))``, ``obstacle …``, ``workspace …``, ``reference_bounds …``,
-``start POINT Z (x y theta)``, ``goal POINT Z (x y theta)``, ``rotation false``. Without a role a
-geometry is an obstacle. A geometry may go on over several lines until its brackets close.
+The statements are ``robot POLYGON ((…))``, ``obstacle …``, ``workspace …``,
+``reference_bounds …``, ``start POINT Z (x y theta)``, ``goal POINT Z (x y theta)`` and
+``rotation false``. A geometry without a role is an obstacle. A geometry may continue over several
+lines until its brackets close.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ _KIND = re.compile(
 _TOKEN = re.compile(r"[(),]|[^\s(),]+")
 _DEPTH = {"POLYGON": 2, "MULTIPOLYGON": 3}
 _NAMES = {"POLYGON": "Polygon", "MULTIPOLYGON": "MultiPolygon"}
-_STATES = 500  # most brackets inside each other; nothing legal needs more than four
+_STATES = 500  # most brackets inside each other; legal text needs at most four
 
 
 def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
@@ -55,7 +56,7 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
 
 
 def _placed(error: SceneError, places: list[str]) -> SceneError:
-    """Say the line instead of the number of the feature."""
+    """Return the error with the line in place of the number of the feature."""
     match = re.match(r"features\[(\d+)\]\.?(?:geometry\.?)?(.*)", error.field)
     if match is None:
         return error

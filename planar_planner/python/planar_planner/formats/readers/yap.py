@@ -1,9 +1,9 @@
-r"""Yap-style text files: environments of directed polygons, and ``.rob`` robots.
+r"""The reader of Yap-style text files: environments of directed polygons, and ``.rob`` robots.
 
-Environment: N, then N pairs x y, M, then M lines of 1-based vertex indices, each a closed polygon
-with its interior (the obstacle's) to the left of the directed edges. Robot: N, then N vertices
-anticlockwise about the reference point at the origin. ``#`` begins a comment, ``\`` at the end of
-a line joins the next one.
+An environment has N, N pairs x y, M, and M lines of 1-based vertex indices, each a closed polygon
+whose interior (the obstacle's) is to the left of the directed edges. A robot has N and then N
+vertices anticlockwise about the reference point at the origin. ``#`` begins a comment, and ``\`` at
+the end of a line joins the next one.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
 
 
 def _logical_lines(text: str) -> Iterator[Line]:
-    """Yield (number, words) of each line that says something."""
+    """Yield (number, words) of each line with content."""
     pending: list[str] = []
     for number, line in enumerate(text.splitlines(), start=1):
         content = line.partition("#")[0].rstrip()

@@ -1,1 +1,1 @@
-"""One module an outside format, with a function `write` that turns `Parts` into files."""
+"""Writers: one module per format, with a function `write` that turns `Parts` into files."""

@@ -1,4 +1,4 @@
-"""Scenes → DXF with one layer a role, as `planar_planner.formats.readers.dxf` reads it."""
+"""The writer of DXF, with layers as `planar_planner.formats.readers.dxf` reads them."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from planar_planner.scene.fields import Box
 
 
 def write(parts: Parts, path: Path) -> Mapping[Path, bytes]:
-    """Return a drawing of closed polylines; the robot stands with its origin at the drawing's.
+    """Return a drawing of closed polylines; the robot's origin is at the drawing's origin.
 
-    Start and goal are lines from the reference point along θ, so θ comes back rounded. Each
+    Start and goal are lines from the reference point along θ, so reading gives a rounded θ. Each
     obstacle has a layer of its own, since outlines inside each other on one layer are holes.
 
     Raises
     ------
     SceneError
-        If the scene forbids turning, for which DXF has no place.
+        If the scene forbids turning, which DXF cannot state.
     """
     if not parts.rotation:
         raise SceneError("a drawing cannot forbid turning", "rotation")

@@ -1,4 +1,4 @@
-"""GeoJSON: a FeatureCollection whose features have roles."""
+"""The writer of GeoJSON: a FeatureCollection whose features have roles."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""SVG drawings, with y downwards; `planar_planner.formats.readers.svg` reads them without loss."""
+"""The writer of SVG, with y downwards; `planar_planner.formats.readers.svg` reads it exactly."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from xml.sax.saxutils import escape, quoteattr
 from planar_planner.formats.parts import Parts, Point, Shape
 from planar_planner.scene.fields import Box
 
-_STYLE = {  # colours that are told apart without red and green (Wong 2011)
+_STYLE = {  # colours that readers distinguish without red and green (Wong 2011)
     "workspace": "fill:none;stroke:#000000",
     "reference_bounds": "fill:none;stroke:#999999",
     "obstacle": "fill:#999999;fill-rule:evenodd",
@@ -21,7 +21,7 @@ _STYLE = {  # colours that are told apart without red and green (Wong 2011)
 
 
 def write(parts: Parts, path: Path) -> Mapping[Path, bytes]:
-    """Return a drawing; the robot stands where its frame's origin is the drawing's."""
+    """Return a drawing; the origin of the robot's frame is at the drawing's origin."""
     lines = list(_elements(parts))
     xmin, ymin, xmax, ymax = _frame(parts)
     width = max(xmax - xmin, ymax - ymin) / 500

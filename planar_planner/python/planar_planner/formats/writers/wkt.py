@@ -1,4 +1,4 @@
-"""Well-known text: one line a geometry, with its role before it."""
+"""The writer of well-known text: one line per geometry, with its role before it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from planar_planner.formats.writers import geojson
 
 
 def write(parts: Parts, path: Path) -> Mapping[Path, bytes]:
-    """Return one line a geometry; nothing but the description's line breaks is lost."""
+    """Return one line per geometry; only the description's line breaks are lost."""
     (content,) = geojson.write(parts, path).values()
     lines = [f"# {' '.join(part.split())}" for part in (parts.name, parts.description) if part]
     if not parts.rotation:

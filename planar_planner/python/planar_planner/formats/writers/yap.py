@@ -1,4 +1,4 @@
-"""Scenes → Yap-style environment, with the robot in a ``.rob`` file beside it."""
+"""The writer of Yap-style environments, with the robot in a ``.rob`` file beside it."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from planar_planner.formats.parts import Parts, Point, Ring
 
 
 def write(parts: Parts, path: Path) -> Mapping[Path, bytes]:
-    """Return the environment and the robot; start and goal have no place in either.
+    """Return the environment and the robot; neither file can state start and goal.
 
     Raises
     ------
     SceneError
         If the robot is not star-shaped about its reference point, or the scene bounds the
-        reference point.
+        reference point or forbids turning.
     """
     if parts.reference_bounds is not None:
         raise SceneError(
@@ -52,12 +52,14 @@ def _turned(ring: Ring, anticlockwise: bool) -> Ring:
 def _star(parts: Parts) -> Ring:
     robot = parts.robot or []
     if len(robot) != 1 or len(robot[0]) != 1:
-        raise SceneError("a .rob file holds one polygon without holes", "robot")
+        raise SceneError("a .rob file has one polygon without holes", "robot")
     ring = _turned(robot[0][0], anticlockwise=True)
     if any(
         orientation((0.0, 0.0), p, q) < 0 for p, q in zip(ring, ring[1:] + ring[:1], strict=True)
     ):
-        raise SceneError("a .rob file's robot is star-shaped about its reference point", "robot")
+        raise SceneError(
+            "the robot of a .rob file must be star-shaped about its reference point", "robot"
+        )
     return ring
 
 
