@@ -1,7 +1,8 @@
 """Compare a committed stub with the one that nanobind generates from the compiled module.
 
 The committed stub has the better types (what is in a dict, which tuples), so types are not
-compared: names, kinds, and the parameters' names, order and defaults are.
+compared: names, kinds, the values of enumerations, and the parameters' names, order and defaults
+are.
 
 Usage: compare_stubs.py COMMITTED GENERATED
 """
@@ -29,6 +30,8 @@ def _collect(body: list[ast.stmt], prefix: str, found: dict[str, str]) -> None:
             found[prefix + node.name] = found.get(prefix + node.name, "") + _parameters(node)
         elif isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
             found[prefix + node.target.id] = "value"
+        elif prefix and isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
+            found[prefix + node.targets[0].id] = ast.unparse(node.value)
 
 
 def _parameters(node: ast.FunctionDef) -> str:

@@ -117,9 +117,9 @@ def print_outcomes(scene: str, outcomes: Sequence[Outcome]) -> None:
         known = each is not first and (first.decided or each.decided)
         print(
             f"{scene:<18} {each.variant.name:<26} {each.verdict:<10} "
-            f"{each.stats['cells']:>10,} cells {each.stats['labelled_cells']:>11,} labelled "
+            f"{each.stats.cells:>10,} cells {each.stats.labelled_cells:>11,} labelled "
             f"{1e3 * each.seconds.median:>11,.2f} ms "
-            f"{1e3 * each.stats['seconds']['labelling']:>10,.2f} ms labelling "
+            f"{1e3 * each.stats.seconds.labelling:>10,.2f} ms labelling "
             + (f"{bound}{ratio:.3g}x" if known else ""),
             flush=True,
         )
@@ -174,12 +174,12 @@ def outcome_row(scene: str, each: Outcome) -> tuple[object, ...]:
     """Return one row of the table."""
     stats, seconds = each.stats, each.seconds
     return (
-        *(scene, each.variant.name, each.verdict, stats["cells"], stats["labelled_cells"]),
-        *(stats["separation_evaluations"], stats["search_rounds"], stats["search_expansions"]),
+        *(scene, each.variant.name, each.verdict, stats.cells, stats.labelled_cells),
+        *(stats.separation_evaluations, stats.search_rounds, stats.search_expansions),
         *figures(seconds),
         seconds.count,
-        *(f"{1e3 * stats['seconds'][clock]:.4g}" for clock in ("labelling", "search")),
-        stats["memory_bytes"],
+        *(f"{1e3 * getattr(stats.seconds, clock):.4g}" for clock in ("labelling", "search")),
+        stats.memory_bytes,
     )
 
 

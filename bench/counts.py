@@ -75,7 +75,7 @@ def counted() -> dict[str, dict[str, Any]]:
     asked: dict[str, SceneLike] = {**shipped, **families()}
     for name, scene in asked.items():
         result = solve(scene)
-        counts = {key: int(result.stats[key]) for key in COUNTS}
+        counts = {key: getattr(result.stats, key) for key in COUNTS}
         found[name] = {"verdict": result.verdict, **counts}
     by_name = {variant.name: variant for variant in variants.ABLATIONS}
     for scene_name, parts in PARTS.items():
@@ -84,7 +84,7 @@ def counted() -> dict[str, dict[str, Any]]:
             variant = by_name[part]
             core = make_core(problem, variant.without, variant.query)
             answer = ask(core, problem, Options())
-            counts = {key: int(answer["stats"][key]) for key in COUNTS}
+            counts = {key: getattr(answer["stats"], key) for key in COUNTS}
             found[f"{scene_name}: {part}"] = {"verdict": answer["verdict"], **counts}
     return found
 

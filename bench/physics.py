@@ -55,7 +55,7 @@ def replays() -> tuple[list[list[object]], list[str]]:
                 f"{found.deepest:.3g}",
                 f"{found.accuracy:.2g}",
                 found.doubted,
-                f"{result.stats['least_clearance']:.3g}",
+                f"{result.stats.least_clearance:.3g}",
                 f"{seconds:.2f}",
             ]
         )

@@ -58,7 +58,7 @@ class Measured:
     @property
     def cells(self) -> int:
         """Leaves of the subdivision."""
-        return int(self.result.stats["cells"])
+        return int(self.result.stats.cells)
 
 
 def repetitions(budget: float, fewest: int, most: int, patience: float = math.inf) -> Iterator[int]:
@@ -87,8 +87,8 @@ def measure(
         before = time.perf_counter()
         result = Planner(loaded).solve(options=options)
         whole = time.perf_counter() - before
-        runs.append((float(result.stats["seconds"]["total"]), whole, result))
-    answers = {(run[2].verdict, run[2].stats["cells"]) for run in runs}
+        runs.append((float(result.stats.seconds.total), whole, result))
+    answers = {(run[2].verdict, run[2].stats.cells) for run in runs}
     if len(answers) != 1:
         raise RuntimeError(f"{loaded.name}: not the same answer each time: {answers}")
     middle = sorted(runs, key=lambda run: run[0])[len(runs) // 2][2]
@@ -96,7 +96,7 @@ def measure(
         runs[-1][2],
         Spread.of([run[0] for run in runs]),
         Spread.of([run[1] for run in runs]),
-        _shares(middle.stats["seconds"]),
+        _shares(middle.stats.seconds.to_dict()),
     )
 
 

@@ -1,5 +1,6 @@
 #include "walk.hpp"
 
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -131,7 +132,8 @@ std::vector<Seen> walk_levels(World& world, const Query driver, const WalkLimits
 }
 
 std::vector<Seen> walk_search(World& world, const Task& task, const WalkLimits& limits) {
-  const planner::Limits query_limits{};
+  planner::Limits query_limits;
+  query_limits.timeout = std::numeric_limits<double>::infinity();
   const planner::Listener nobody;
   planner::SegmentTest segments(world.problem, world.labeller, world.statistics);
   Subdivision subdivision(world.space, world.labeller, world.statistics);

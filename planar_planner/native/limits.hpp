@@ -3,19 +3,19 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 
 namespace planner {
 
-// The defaults of resolution, max_cells, max_memory and contact_tolerance mirror
-// planar_planner/options.py, which explains them; tests/planner/test_options.py holds the two
-// together. Python always passes its own.
+// The defaults are those of Python's Options, which explains each limit, and of the command line.
 struct Limits {
-  double resolution = 1e-9;  // smallest half-width of a cell, relative to the domain's
+  // Smallest half-width of a cell, relative to the domain's. Cells grow with no more than the
+  // logarithm of its inverse, so it is small: a path round the corner is found down to 1e-10 from
+  // critical.
+  double resolution = 1e-9;
   std::uint64_t max_cells = 5'000'000;
-  double timeout = std::numeric_limits<double>::infinity();  // seconds
-  std::uint64_t max_memory = std::uint64_t{4} << 30U;        // bytes
-  double contact_tolerance = 0.0;                            // user's length unit
+  double timeout = 60.0;                               // seconds
+  std::uint64_t max_memory = std::uint64_t{4} << 30U;  // bytes
+  double contact_tolerance = 0.0;                      // user's length unit
 };
 
 struct Progress {

@@ -50,7 +50,7 @@ def functions_of(thing: Any) -> Iterator[Any]:
     for name, member in inspect.getmembers(thing):
         if name.startswith("_") and name not in ("__init__", "__getitem__"):
             continue
-        if isinstance(member, property):
+        if isinstance(member, property) and inspect.isfunction(member.fget):  # not the core's
             yield member.fget
         elif inspect.isfunction(member) and member.__module__.split(".")[0] in OURS:
             yield member

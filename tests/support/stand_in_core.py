@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Callable
 from typing import Any, ClassVar
 
@@ -20,32 +19,28 @@ FREE = {
     "separation": 1.0,
 }
 
-STATS = {
-    "cells": 12,
-    "cells_by_label": {"free": 3, "star": 2, "full": 4, "mixed": 3},
-    "cells_by_level": [0, 0, 4, 8],
-    "labelled_cells": 20,
-    "separation_evaluations": 340,
-    "pairs_touched": 5,
-    "pairs_total": 9,
-    "faces_tested": 7,
-    "probe_checks": 0,
-    "ridge_tries": 0,
-    "ridge_evaluations": 0,
-    "search_rounds": 2,
-    "memory_bytes": 2048,
-    "seconds": {
-        "preprocessing": 0.001,
-        "labelling": 0.002,
-        "faces": 0.0005,
-        "search": 0.0001,
-        "path": 0.0,
-        "probe": 0.0,
-        "total": 0.0036,
-    },
-    "path_length": 2.5,
-    "waypoints": 2,
-    "decided_by": "straight move",
+STATS = _core.Statistics(
+    cells=12,
+    cells_by_label={"free": 3, "star": 2, "full": 4, "mixed": 3},
+    cells_by_level=[0, 0, 4, 8],
+    labelled_cells=20,
+    separation_evaluations=340,
+    pairs_touched=5,
+    pairs_total=9,
+    faces_tested=7,
+    search_rounds=2,
+    memory_bytes=2048,
+    seconds=_core.Seconds(
+        preprocessing=0.001, labelling=0.002, faces=0.0005, search=0.0001, total=0.0036
+    ),
+    path_length=2.5,
+    waypoints=2,
+)
+
+DECIDED_BY = {
+    "path": _core.DecidedBy.STRAIGHT_MOVE,
+    "no_path": _core.DecidedBy.SEPARATION,
+    "undecided": None,
 }
 
 
@@ -58,7 +53,6 @@ class FakeCore:
         lambda q: FREE
     )
     verdict = "path"
-    reason = "straight move"
     during_solve: Callable[[Any], None] = staticmethod(lambda listener: None)
 
     def __init__(self, *arguments: Any, **parts: Any) -> None:
@@ -73,9 +67,10 @@ class FakeCore:
         path = np.array([start, goal]) if self.verdict == "path" else np.empty((0, 3))
         return {
             "verdict": self.verdict,
-            "reason": self.reason,
+            "stop_reason": _core.StopReason.CELLS if self.verdict == "undecided" else None,
+            "ends_moved": False,
             "path": path,
-            "stats": copy.deepcopy(STATS),
+            "stats": STATS.replace(decided_by=DECIDED_BY[self.verdict]),
         }
 
     def least_clearance(self) -> float:

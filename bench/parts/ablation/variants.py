@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from lib.timing import Spread, repetitions
-from planar_planner import Options
+from planar_planner import Options, Statistics
 from planar_planner.planning.engine import ask, make_core
+from planar_planner.planning.outcome import sentence_of
 from planar_planner.problem.make import Problem
 
 FEWEST, MOST = 3, 15
@@ -65,7 +65,7 @@ class Outcome:
     verdict: str
     reason: str
     seconds: Spread
-    stats: Mapping[str, Any]
+    stats: Statistics
 
     @property
     def decided(self) -> bool:
@@ -75,7 +75,7 @@ class Outcome:
     @property
     def work(self) -> int:
         """Return the labelled cells: what a part saves or costs, without clocks."""
-        return int(self.stats["labelled_cells"])
+        return self.stats.labelled_cells
 
 
 def outcome(problem: Problem, variant: Variant, limits: Options, budget: float) -> Outcome:
@@ -87,4 +87,4 @@ def outcome(problem: Problem, variant: Variant, limits: Options, budget: float) 
         runs.append((time.process_time() - before, answer))
     middle = sorted(runs, key=lambda run: run[0])[len(runs) // 2][1]
     seconds = Spread.of([run[0] for run in runs])
-    return Outcome(variant, middle["verdict"], middle["reason"], seconds, middle["stats"])
+    return Outcome(variant, middle["verdict"], sentence_of(middle), seconds, middle["stats"])

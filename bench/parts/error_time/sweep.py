@@ -11,6 +11,7 @@ from typing import NamedTuple
 from lib.timing import Spread, repetitions
 from planar_planner import Options, load_scene
 from planar_planner.planning.engine import ask, make_core
+from planar_planner.planning.outcome import sentence_of
 from planar_planner.problem.make import Problem, make_problem
 from worlds.critical import SIDES, Family, Side
 
@@ -145,5 +146,5 @@ def answered(problem: Problem, name: str, limit: float) -> Run:
     answer = ask(make_core(problem, without, query), problem, options)
     cpu = time.thread_time() - began
     stats = answer["stats"]
-    seconds = float(stats["seconds"]["total"])
-    return Run(answer["verdict"], int(stats["cells"]), seconds, cpu, str(answer["reason"]))
+    seconds = float(stats.seconds.total)
+    return Run(answer["verdict"], int(stats.cells), seconds, cpu, sentence_of(answer))

@@ -40,6 +40,7 @@ def here(family: str, value: float, timeout: float) -> dict[str, Any]:
     from parts.scale.families import families
     from planar_planner import Options, load_scene
     from planar_planner.planning.engine import ask, make_core
+    from planar_planner.planning.outcome import sentence_of
     from planar_planner.problem.make import make_problem
 
     make = next(each.make for each in families() if each.name == family)
@@ -56,12 +57,12 @@ def here(family: str, value: float, timeout: float) -> dict[str, Any]:
     stats = answer["stats"]
     return {
         "verdict": answer["verdict"],
-        "reason": answer["reason"],
+        "reason": sentence_of(answer),
         "seconds": seconds,
         "loading": loading,
         "peak_bytes": KIB * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss,
         **{
-            key: stats[key]
+            key: getattr(stats, key)
             for key in ("cells", "labelled_cells", "separation_evaluations", "memory_bytes")
         },
     }

@@ -55,7 +55,7 @@ def _ask(
 ) -> tuple[float, str, int]:
     before = time.process_time()
     result = planner.solve(start, goal)
-    return time.process_time() - before, result.verdict, int(result.stats["cells"])
+    return time.process_time() - before, result.verdict, int(result.stats.cells)
 
 
 def _free_configurations(

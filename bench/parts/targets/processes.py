@@ -77,7 +77,7 @@ def main() -> None:
 
     result = solve(jammed_gates(int(sys.argv[1])), Options(timeout=600))
     peak = 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss  # kilobytes on Linux
-    print(json.dumps({"verdict": result.verdict, "peak": peak, "stats": dict(result.stats)}))
+    print(json.dumps({"verdict": result.verdict, "peak": peak, "stats": result.stats.to_dict()}))
 
 
 if __name__ == "__main__":

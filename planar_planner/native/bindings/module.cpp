@@ -19,8 +19,10 @@
 #include "build.hpp"
 #include "cells.hpp"
 #include "evidence.hpp"
+#include "outcome.hpp"
 #include "planar_planner/native/planning/planner.hpp"
 #include "state_check.hpp"
+#include "statistics.hpp"
 #include "wall.hpp"
 
 namespace nb = nanobind;
@@ -83,23 +85,39 @@ planner::Scene scene_of(const PolygonArrays& robot, const PolygonArrays& obstacl
   return scene;
 }
 
-// The names of planner::Parts, for benchmarks; empty: the planner as it is.
+[[noreturn]] void refuse(const char* what, const std::string& name, const std::string& known) {
+  throw nb::value_error(
+      ("there is no " + std::string(what) + " " + name + "; known are" + known).c_str());
+}
+
+void leave_out(planner::Parts& parts, const std::string& part) {
+#define PLANNER_LEAVE_OUT(name) \
+  if (part == #name) {          \
+    parts.name = false;         \
+    return;                     \
+  }
+#define PLANNER_KNOWN(name) " " #name
+  PLANNER_PARTS(PLANNER_LEAVE_OUT)
+  refuse("part", part, PLANNER_PARTS(PLANNER_KNOWN));
+#undef PLANNER_LEAVE_OUT
+#undef PLANNER_KNOWN
+}
+
+planner::CullingQuery query_of(const std::string& query) {
+#define PLANNER_RETURN(enumerator, name) \
+  if (query == name) return planner::CullingQuery::enumerator;
+#define PLANNER_KNOWN(enumerator, name) " " name
+  PLANNER_CULLING_QUERIES(PLANNER_RETURN)
+  refuse("query", query, PLANNER_CULLING_QUERIES(PLANNER_KNOWN));
+#undef PLANNER_RETURN
+#undef PLANNER_KNOWN
+}
+
+// Without some parts, for benchmarks.
 planner::Parts parts_of(const std::vector<std::string>& without, const std::string& query) {
   planner::Parts parts;
-  for (const std::string& part : without) {
-    if (part == "star") parts.star = false;
-    if (part == "joint") parts.joint = false;
-    if (part == "guided") parts.guided = false;
-    if (part == "incremental") parts.incremental = false;
-    if (part == "hierarchy") parts.hierarchy = false;
-    if (part == "partition") parts.partition = false;
-    if (part == "cheap") parts.cheap = false;
-    if (part == "probe") parts.probe = false;
-    if (part == "ridge") parts.ridge = false;
-  }
-  if (query == "none") parts.query = planner::CullingQuery::kNone;
-  if (query == "published") parts.query = planner::CullingQuery::kPublished;
-  if (query == "displacement") parts.query = planner::CullingQuery::kDisplacement;
+  for (const std::string& part : without) leave_out(parts, part);
+  parts.query = query_of(query);
   return parts;
 }
 
@@ -130,51 +148,6 @@ nb::object path_array(const std::vector<Configuration>& path) {
     const std::unique_ptr<double[]> reclaim(static_cast<double*>(p));
   });
   return nb::ndarray<nb::numpy, double, nb::ndim<2>>(raw, {path.size(), 3}, owner).cast();
-}
-
-nb::dict statistics_dict(const planner::Answer& answer) {
-  const planner::Statistics& s = answer.statistics;
-  nb::dict labels;
-  labels["free"] = answer.cells_by_label[0];
-  labels["star"] = answer.cells_by_label[1];
-  labels["full"] = answer.cells_by_label[2];
-  labels["mixed"] = answer.cells_by_label[3];
-  nb::dict seconds;
-  seconds["preprocessing"] = s.seconds.preprocessing;
-  seconds["labelling"] = s.seconds.labelling;
-  seconds["faces"] = s.seconds.faces;
-  seconds["probe"] = s.seconds.probe;
-  seconds["search"] = s.seconds.search;
-  seconds["path"] = s.seconds.path;
-  seconds["total"] = s.seconds.total;
-  nb::dict out;
-  std::uint64_t leaves = 0;
-  for (const std::uint64_t n : answer.cells_by_label) leaves += n;
-  out["cells"] = leaves;
-  out["cells_by_label"] = labels;
-  out["cells_by_level"] = answer.cells_by_level;
-  out["labelled_cells"] = s.labelled_cells;
-  out["separation_evaluations"] = s.separation_evaluations;
-  out["star_tests"] = s.star_tests;
-  out["joint_cells"] = s.joint_cells;
-  out["pairs_touched"] = s.pairs_touched;
-  out["pairs_total"] = s.pairs_total;
-  out["faces_tested"] = s.faces_tested;
-  out["segments_tested"] = s.segments_tested;
-  out["probe_checks"] = s.probe_checks;
-  out["ridge_tries"] = s.ridge_tries;
-  out["ridge_evaluations"] = s.ridge_evaluations;
-  out["search_rounds"] = s.search_rounds;
-  out["search_expansions"] = s.search_expansions;
-  out["search_rebuilds"] = s.search_rebuilds;
-  out["memory_bytes"] = s.memory_bytes;
-  out["constraint_bytes"] = s.constraint_bytes;
-  out["seconds"] = seconds;
-  out["path_length"] = answer.path.length;
-  out["path_turning"] = answer.path.turning;
-  out["waypoints"] = answer.path.waypoints.size();
-  out["decided_by"] = s.decided_by;
-  return out;
 }
 
 // Runs Python's signal handlers, then the caller's listener; false on Ctrl-C or on its wish.
@@ -218,9 +191,10 @@ nb::dict solve(planner::Planner& planner, const std::array<double, 3>& start,
   constexpr std::array<const char*, 3> verdicts{"path", "no_path", "undecided"};
   nb::dict out;
   out["verdict"] = verdicts[static_cast<std::size_t>(answer.verdict)];
-  out["reason"] = answer.reason;
+  out["stop_reason"] = answer.stop_reason;
+  out["ends_moved"] = answer.ends_moved;
   out["path"] = path_array(answer.path.waypoints);
-  out["stats"] = statistics_dict(answer);
+  out["stats"] = answer.statistics;
   return out;
 }
 
@@ -274,5 +248,14 @@ NB_MODULE(_core, m) {
       .def("bottleneck", &bindings::bottleneck)
       .def("wall", &bindings::wall, nb::arg("theta"));
   m.def("build_info", &bindings::build_info);
+  bindings::add_outcome(m);
+  nb::class_<planner::Limits>(m, "Limits", "The default limits of a query.")
+      .def(nb::init<>())
+      .def_ro("resolution", &planner::Limits::resolution)
+      .def_ro("max_cells", &planner::Limits::max_cells)
+      .def_ro("timeout", &planner::Limits::timeout)
+      .def_ro("max_memory", &planner::Limits::max_memory)
+      .def_ro("contact_tolerance", &planner::Limits::contact_tolerance);
+  bindings::add_statistics(m);
   bindings::add_state_check(m);
 }

@@ -1,19 +1,16 @@
 // Counts of the leaves, for answers and for who watches a search.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
+#include "planar_planner/native/statistics.hpp"
 #include "subdivision.hpp"
 
 namespace planner {
 
-struct Census {
-  std::array<std::uint64_t, 4> by_label{};  // indexed by Label
-  std::vector<std::uint64_t> by_level;      // by the sum of the three axes' levels
+struct CellCounts {
+  LabelCounts by_label;
+  LevelCounts by_level;
 };
 
-Census take_census(const Subdivision& subdivision);
+CellCounts take_census(const Subdivision& subdivision);
 
 }  // namespace planner

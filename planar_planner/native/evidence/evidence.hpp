@@ -31,7 +31,7 @@ struct Evidence {
   std::vector<Configuration> waypoints;  // kPath: without legs into contact
   std::vector<std::vector<ProvenInterval>> segments;
   Barrier barrier;
-  std::string end;
+  std::string end;  // kEnd: "start" or "goal"
   bool out_of_bounds = false;
   Witness witness{};
   std::vector<PieceName> robot_names, obstacle_names;  // of the pieces above

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "planar_planner/native/cells/census.hpp"
 #include "planar_planner/native/guesses/goal_guesses.hpp"
 #include "planar_planner/native/guesses/rrt_connect.hpp"
 #include "planar_planner/native/search/goal_cells.hpp"
@@ -46,6 +47,12 @@ bool looks_blocked(const Problem& problem, CollisionHint& hint,
   return false;
 }
 
+StopReason touches(const bool at_start, const bool workspace) {
+  if (at_start)
+    return workspace ? StopReason::kStartTouchesWorkspace : StopReason::kStartTouchesObstacle;
+  return workspace ? StopReason::kGoalTouchesWorkspace : StopReason::kGoalTouchesObstacle;
+}
+
 }  // namespace
 
 Planner::Planner(Scene scene, const Parts& parts) {
@@ -80,7 +87,7 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
 bool Planner::ends_not_free(Query& query) {
   for (Configuration* const end : {&query.start, &query.goal}) {
     if (end == &query.goal && query.region != nullptr) break;
-    const std::string name = end == &query.start ? "start" : "goal";
+    const bool at_start = end == &query.start;
     const Placement p = placement(*end);
     if (p.state == PlacementState::kFree) continue;
     if (p.state != PlacementState::kOutside && p.depth <= query.limits.contact_tolerance &&
@@ -94,11 +101,9 @@ bool Planner::ends_not_free(Query& query) {
     // Where rounding cannot tell touching from penetration, neither a path nor its absence can be
     // certified from here.
     if (p.state == PlacementState::kContact)
-      query.conclude(Verdict::kUndecided, "the " + name + " touches " +
-                                              (p.wall ? "the workspace" : "an obstacle") +
-                                              ": allow it to be moved off by a contact tolerance");
+      query.leave_undecided(touches(at_start, p.wall));
     else
-      query.conclude(Verdict::kNoPath, "the " + name + " is not free", name);
+      query.decide(Verdict::kNoPath, at_start ? DecidedBy::kStart : DecidedBy::kGoal);
     return true;
   }
   return false;
@@ -126,13 +131,14 @@ bool Planner::cheap_move_to(Query& query, CollisionHint& hint, const Configurati
   for (const std::vector<Configuration>& path : tries)
     if (!looks_blocked(problem_, hint, path) &&
         !first_uncertified(problem_, *segments_, path, stop))
-      return conclude_path(query, path, path.size() == 2 ? "straight move" : "two-leg move");
+      return conclude_path(query, path,
+                           path.size() == 2 ? DecidedBy::kStraightMove : DecidedBy::kTwoLegMove);
   return false;
 }
 
-bool Planner::conclude_path(Query& query, std::vector<Configuration> path, const char* by) {
+bool Planner::conclude_path(Query& query, std::vector<Configuration> path, const DecidedBy by) {
   query.answer.path = report_path(std::move(path));
-  query.conclude(Verdict::kPath, "certified " + std::string(by), by);
+  query.decide(Verdict::kPath, by);
   return true;
 }
 
@@ -161,7 +167,7 @@ bool Planner::probe(Query& query, CollisionHint& hint) {
     if (path.empty()) return false;
     const Stopwatch watch(statistics_.seconds.path);
     const auto bad = certify_shortened(problem_, *tree_, *segments_, hint, path, stop);
-    if (!bad) return conclude_path(query, std::move(path), "RRT-Connect");
+    if (!bad) return conclude_path(query, std::move(path), DecidedBy::kFirstTry);
     trees.reject(*bad);
   }
   return false;
@@ -176,12 +182,12 @@ bool Planner::disc_answer(Query& query, const Goal& goal) {
   }
   if (!disc_round_) return false;
   if (ask_disc(*disc_inside_, query, goal).verdict == Verdict::kNoPath) {
-    query.conclude(Verdict::kNoPath, "a disc inside the robot has no path", "disc");
+    query.decide(Verdict::kNoPath, DecidedBy::kDisc);
     return true;
   }
-  if (query.stopped) return true;
+  if (query.stopped_by) return true;
   Answer round = ask_disc(*disc_round_, query, goal);
-  if (round.verdict != Verdict::kPath) return query.stopped;
+  if (round.verdict != Verdict::kPath) return query.stopped_by.has_value();
   std::vector<Configuration>& path = round.path.waypoints;
   for (Configuration& q : path) q.theta = query.start.theta;
   path.push_back(query.region == nullptr ? query.goal : path.back());
@@ -190,7 +196,7 @@ bool Planner::disc_answer(Query& query, const Goal& goal) {
   path.back().theta = nearest_turn(angle, query.start.theta);
   const Terminator never = [] { return false; };
   if (first_uncertified(problem_, *segments_, path, never)) return false;
-  return conclude_path(query, std::move(path), "disc");
+  return conclude_path(query, std::move(path), DecidedBy::kDisc);
 }
 
 // Its work counts as the query's; its interruption ends the query. A disc has no angle to mind.
@@ -203,12 +209,11 @@ Answer Planner::ask_disc(Planner& disc, Query& query, const Goal& goal) {
     place = GoalSet{set->polygons, std::nullopt};
   Answer answer = disc.solve({query.start.x, query.start.y, 0.0}, place, limits, query.listener);
   statistics_ += answer.statistics;
-  query.answer.cells_by_label = answer.cells_by_label;
-  query.answer.cells_by_level = answer.cells_by_level;
-  const bool tried_enough = limits.max_cells < query.limits.max_cells && answer.out_of_cells;
-  if (answer.stopped && !tried_enough) {
-    query.conclude(Verdict::kUndecided, answer.reason);
-    query.stopped = true;
+  const bool tried_enough =
+      limits.max_cells < query.limits.max_cells && answer.stopped_by == StopReason::kCells;
+  if (answer.stopped_by && !tried_enough) {
+    query.leave_undecided(*answer.stopped_by);
+    query.stopped_by = answer.stopped_by;
   }
   return answer;
 }
@@ -244,14 +249,13 @@ std::vector<CellId> Planner::leaves_of_goal(const Goal& goal) const {
 void Planner::confirm_absence(Query& query, const Configuration& start, const Goal& goal) const {
   const Answer& answer = query.answer;
   if (answer.verdict != Verdict::kNoPath) return;
-  const std::string& by = answer.statistics.decided_by;
+  const std::optional<DecidedBy> by = answer.statistics.decided_by;
+  const bool by_cells = by == DecidedBy::kSeparation;
   const bool separated =
-      by == "separation" && !subdivision_->connected(leaves_of(start), leaves_of_goal(goal));
-  const bool own_ends = !query.lifted || by == "start" || by == "goal";
-  if (by == "separation" ? separated : own_ends) return;
-  query.conclude(Verdict::kUndecided,
-                 "no path from where the contact tolerance moved the ends; that proves nothing of "
-                 "the ends themselves");
+      by_cells && !subdivision_->connected(leaves_of(start), leaves_of_goal(goal));
+  const bool own_ends = !query.lifted || by == DecidedBy::kStart || by == DecidedBy::kGoal;
+  if (by_cells ? separated : own_ends) return;
+  query.leave_undecided(StopReason::kMovedEnds);
 }
 
 // A lifted end stands for the user's: its path gets a first or last leg within the tolerance.
@@ -265,25 +269,28 @@ void Planner::settle_lifted_ends(Query& query, const Configuration& start, const
   if (!same(query.start, start)) path.insert(path.begin(), start);
   if (const auto* const own = std::get_if<Configuration>(&goal); own && !same(query.goal, *own))
     path.push_back({own->x, own->y, path.back().theta});
-  query.answer.reason += "; ends in contact were moved off within the contact tolerance";
+  query.answer.ends_moved = true;
 }
 
 void Planner::complete_answer(Query& query) {
   Answer& answer = query.answer;
   statistics_.seconds.total = query.elapsed() + statistics_.seconds.preprocessing;
-  statistics_.pairs_total =
+  statistics_.pairs_total +=
       (tree_->piece_count() - tree_->wall_count() + tree_->untouched_polygons()) *
       problem_.robot.body_pieces();
-  statistics_.pairs_touched = labeller_->pairs_touched();
-  statistics_.decided_by = std::move(answer.statistics.decided_by);
-  answer.statistics = statistics_;
-  answer.stopped = query.stopped;
-  answer.out_of_cells = query.out_of_cells;
+  statistics_.pairs_touched += labeller_->pairs_touched();
+  statistics_.decided_by = answer.statistics.decided_by;
+  statistics_.path_length = answer.path.length;
+  statistics_.path_turning = answer.path.turning;
+  statistics_.waypoints = answer.path.waypoints.size();
   if (subdivision_) {
-    Census census = take_census(*subdivision_);
-    answer.cells_by_label = census.by_label;
-    answer.cells_by_level = std::move(census.by_level);
+    CellCounts counts = take_census(*subdivision_);
+    statistics_.cells = subdivision_->size();
+    statistics_.cells_by_label = counts.by_label;
+    statistics_.cells_by_level = std::move(counts.by_level);
   }
+  answer.statistics = statistics_;
+  answer.stopped_by = query.stopped_by;
 }
 
 void Planner::remember(const Query& query, const Configuration& start, const Goal& goal) {
@@ -296,20 +303,20 @@ Evidence Planner::evidence() {
   if (last_.verdict == Verdict::kPath) {
     out.waypoints = last_.waypoints;
     if (collect_segments(problem_, *tree_, out)) out.kind = ClaimKind::kPath;
-  } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == "disc") {
+  } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == DecidedBy::kDisc) {
     out = disc_inside_->evidence();
     if (out.kind == ClaimKind::kSeparation) out.kind = ClaimKind::kDisc;
     out.disc_piece = problem_.robot.inner_piece;
     return out;
-  } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == "separation") {
+  } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == DecidedBy::kSeparation) {
     out.barrier = find_barrier(*subdivision_, faces_->blocked(), leaves_of(last_.start),
                                leaves_of_goal(last_.goal));
     if (!out.barrier.start_side.empty()) out.kind = ClaimKind::kSeparation;
   } else if (last_.verdict == Verdict::kNoPath) {
-    const Placement p =
-        placement(last_.decided_by == "start" ? last_.start : std::get<Configuration>(last_.goal));
+    const Placement p = placement(
+        last_.decided_by == DecidedBy::kStart ? last_.start : std::get<Configuration>(last_.goal));
     out.kind = ClaimKind::kEnd;
-    out.end = last_.decided_by;
+    out.end = word(last_.decided_by.value());
     out.out_of_bounds = p.state == PlacementState::kOutside;
     out.witness = p.witness;
   }
@@ -326,8 +333,8 @@ double Planner::least_clearance() {
 
 Crossing Planner::bottleneck() {
   if (last_.verdict != Verdict::kNoPath) return {};
-  if (last_.decided_by == "disc") return disc_inside_->bottleneck();
-  if (last_.decided_by != "separation") return {};
+  if (last_.decided_by == DecidedBy::kDisc) return disc_inside_->bottleneck();
+  if (last_.decided_by != DecidedBy::kSeparation) return {};
   return find_bottleneck(problem_, *subdivision_, leaves_of(last_.start),
                          leaves_of_goal(last_.goal),
                          [this](const Configuration& q) { return placement(q).depth; });

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "planar_planner/native/cells/cell_table.hpp"
@@ -37,11 +38,12 @@ class Planner {
   Answer solve(const Configuration& start, const Goal& goal, const Limits& limits,
                const Listener& listener);
   PathCheck check_path(std::vector<Configuration> path);
-  // Of the last answer; computed now, since not every caller asks.
+  // The evidence of the last answer; computed now, since not every caller asks.
   Evidence evidence();
   // Certified lower bound along the last answer's path, user's units; 0 without a path.
   double least_clearance();
-  // Of the last answer, if it is a separation (of a disc, that disc's); empty otherwise.
+  // The thinnest place of the last answer if that is a separation, of a disc's if a disc stood for
+  // the robot; empty otherwise.
   Crossing bottleneck();
   // The leaves of the subdivision; none if no query has needed cells.
   [[nodiscard]] CellTable cells() const;
@@ -56,7 +58,7 @@ class Planner {
   bool probe(Query& query, CollisionHint& hint);
   bool disc_answer(Query& query, const Goal& goal);
   Answer ask_disc(Planner& disc, Query& query, const Goal& goal);
-  bool conclude_path(Query& query, std::vector<Configuration> path, const char* by);
+  bool conclude_path(Query& query, std::vector<Configuration> path, DecidedBy by);
   void subdivide(Query& query);
   void prepare_subdivision(const Query& query);
   void complete_answer(Query& query);
@@ -69,7 +71,7 @@ class Planner {
   // The last query, for its evidence: the user's ends, and the path without legs into contact.
   struct Last {
     Verdict verdict = Verdict::kUndecided;
-    std::string decided_by;
+    std::optional<DecidedBy> decided_by;
     Configuration start;
     Goal goal;
     std::vector<Configuration> waypoints;

@@ -1,33 +1,26 @@
 // One query while it is being answered: its ends, limits and answer so far.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
+#include <optional>
 
 #include "planar_planner/native/configurations/goal_region.hpp"
 #include "planar_planner/native/limits.hpp"
+#include "planar_planner/native/outcome.hpp"
 #include "planar_planner/native/paths/path.hpp"
 #include "planar_planner/native/statistics.hpp"
 #include "planar_planner/native/world/scene.hpp"
 
 namespace planner {
 
-enum class Verdict : std::uint8_t { kPath, kNoPath, kUndecided };
-
 struct Answer {
   Verdict verdict = Verdict::kUndecided;
-  std::string reason;
-  bool stopped = false;       // by a limit or the listener
-  bool out_of_cells = false;  // that limit was the number of cells
-  PathReport path;            // kPath
+  std::optional<StopReason> stop_reason;  // kUndecided
+  std::optional<StopReason> stopped_by;   // a limit or the listener, whatever the verdict
+  bool ends_moved = false;                // off a contact, within the contact tolerance
+  PathReport path;                        // kPath
   Statistics statistics;
-  std::array<std::uint64_t, 4> cells_by_label{};  // indexed by Label
-  std::vector<std::uint64_t> cells_by_level;      // by the sum of the three axes' levels
 };
 
 struct Query {
@@ -38,10 +31,9 @@ struct Query {
   const Listener& listener;
   Answer answer;
   std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
-  double last_call = 0.0;  // of the listener, seconds after `begin`
-  bool stopped = false;    // a limit was reached
-  bool out_of_cells = false;
-  bool lifted = false;  // an end in contact was moved off
+  double last_call = 0.0;                // of the listener, seconds after `begin`
+  std::optional<StopReason> stopped_by;  // a limit that was reached, or the listener
+  bool lifted = false;                   // an end in contact was moved off
 
   Query(const Configuration& s, const Goal& g, const GoalRegion* r, const Limits& l,
         const Listener& ear)
@@ -52,10 +44,15 @@ struct Query {
   [[nodiscard]] double elapsed() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
-  void conclude(const Verdict verdict, std::string reason, std::string decided_by = "") {
+  void decide(const Verdict verdict, const DecidedBy by) {
     answer.verdict = verdict;
-    answer.reason = std::move(reason);
-    answer.statistics.decided_by = std::move(decided_by);
+    answer.stop_reason.reset();
+    answer.statistics.decided_by = by;
+  }
+  void leave_undecided(const StopReason reason) {
+    answer.verdict = Verdict::kUndecided;
+    answer.stop_reason = reason;
+    answer.statistics.decided_by.reset();
   }
 };
 

@@ -63,26 +63,22 @@ void Refinement::run() {
       connected = search_.find(channel);
     }
     if (!connected && !goal_connected())
-      return query_.conclude(Verdict::kNoPath,
-                             "cells and faces proven to lie in C-obstacle separate start from goal",
-                             "separation");
+      return query_.decide(Verdict::kNoPath, DecidedBy::kSeparation);
     if (!connected && take_up_goals()) continue;
     if (!connected && goals_ && goals_->only_given_up(search_.start()))
-      return query_.conclude(Verdict::kUndecided, "resolution reached");
+      return query_.leave_undecided(StopReason::kResolution);
     if (!connected) {
       // Never seen, and counted, so that the tests would: the proof does not lean on mended trees.
       ++statistics_.search_rebuilds;
       search_.rebuild();
-      if (!search_.find(channel))
-        return query_.conclude(Verdict::kUndecided, "the channel search lost a channel");
+      if (!search_.find(channel)) return query_.leave_undecided(StopReason::kLostChannel);
     }
     if (search_.passes_barrier(channel)) {
       // Mended distances are not exact: only a search from scratch can say that every channel does.
       search_.rebuild();
       search_.find(channel);
       if (search_.passes_barrier(channel) && take_up_goals()) continue;
-      if (search_.passes_barrier(channel))
-        return query_.conclude(Verdict::kUndecided, "resolution reached");
+      if (search_.passes_barrier(channel)) return query_.leave_undecided(StopReason::kResolution);
     }
     statistics_.channel_length = channel.size();
     if (try_ridge(channel)) return;
@@ -252,7 +248,7 @@ bool Refinement::finish(const std::vector<CellId>& channel) {
                                                   query_.start, query_.goal, owners);
   CollisionHint hint(problem_, tree_);
   const auto bad = certify_shortened(problem_, tree_, segments_, hint, path, terminator);
-  if (query_.stopped) return true;
+  if (query_.stopped_by) return true;
   if (bad) {
     // Free by construction, but too near to contact for the rounded waypoints: smaller cells have
     // guards that lie better.
@@ -263,7 +259,7 @@ bool Refinement::finish(const std::vector<CellId>& channel) {
       exhaust(cell);
     return false;
   }
-  conclude_path(std::move(path), "certified through a channel of cells", "channel");
+  conclude_path(std::move(path), DecidedBy::kChannel);
   return true;
 }
 
@@ -273,35 +269,33 @@ bool Refinement::try_ridge(const std::vector<CellId>& channel) {
   if (!ridge_.due() || !pick_goal(channel.back())) return false;
   std::vector<Configuration> path =
       ridge_.attempt(channel, query_.start, query_.goal, [this] { return stop(); });
-  if (path.empty()) return query_.stopped;
-  conclude_path(std::move(path), "certified along the ridge of the clearance", "ridge");
+  if (path.empty()) return query_.stopped_by.has_value();
+  conclude_path(std::move(path), DecidedBy::kRidge);
   return true;
 }
 
-void Refinement::conclude_path(std::vector<Configuration> path, const char* reason,
-                               const char* by) {
+void Refinement::conclude_path(std::vector<Configuration> path, const DecidedBy by) {
   query_.answer.path = report_path(std::move(path));
-  query_.conclude(Verdict::kPath, reason, by);
+  query_.decide(Verdict::kPath, by);
 }
 
 bool Refinement::stop() {
-  if (query_.stopped) return true;
+  if (query_.stopped_by) return true;
   const Limits& limits = query_.limits;
-  const auto reached = [&](const char* reason) {
-    query_.conclude(Verdict::kUndecided, reason);
-    query_.stopped = true;
+  const auto reached = [&](const StopReason reason) {
+    query_.leave_undecided(reason);
+    query_.stopped_by = reason;
     return true;
   };
   statistics_.constraint_bytes = subdivision_.constraint_bytes();
   statistics_.memory_bytes = subdivision_.bytes() + search_.bytes();
-  query_.out_of_cells = subdivision_.size() >= limits.max_cells;
-  if (query_.out_of_cells) return reached("cell limit reached");
-  if (statistics_.memory_bytes >= limits.max_memory) return reached("memory limit reached");
+  if (subdivision_.size() >= limits.max_cells) return reached(StopReason::kCells);
+  if (statistics_.memory_bytes >= limits.max_memory) return reached(StopReason::kMemory);
   const double elapsed = query_.elapsed();
-  if (elapsed >= limits.timeout) return reached("time limit reached");
+  if (elapsed >= limits.timeout) return reached(StopReason::kTime);
   if (!query_.listener || elapsed - query_.last_call < kListenerPeriod) return false;
   query_.last_call = elapsed;
-  const auto n = take_census(subdivision_).by_label;
+  const std::array<Count, 4> n = take_census(subdivision_).by_label.of;
   const Progress progress{elapsed,
                           subdivision_.size(),
                           n[0],
@@ -310,7 +304,7 @@ bool Refinement::stop() {
                           n[3],
                           statistics_.channel_length,
                           statistics_.search_rounds};
-  return query_.listener(progress) ? false : reached("interrupted");
+  return query_.listener(progress) ? false : reached(StopReason::kInterrupted);
 }
 
 }  // namespace planner

@@ -42,7 +42,7 @@ class Refinement {
   CellId resolve_doubt(CellId a, CellId b);
   bool finish(const std::vector<CellId>& channel);
   bool try_ridge(const std::vector<CellId>& channel);
-  void conclude_path(std::vector<Configuration> path, const char* reason, const char* by);
+  void conclude_path(std::vector<Configuration> path, DecidedBy by);
   void split(CellId cell);
   void exhaust(CellId cell);
   bool stop();

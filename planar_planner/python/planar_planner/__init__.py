@@ -30,8 +30,16 @@ if TYPE_CHECKING:
     from planar_planner.margins.surroundings import NearestPoints
     from planar_planner.planning.engine import Listener
     from planar_planner.planning.options import Options
+    from planar_planner.planning.outcome import DecidedBy, StopReason
     from planar_planner.planning.planner import Planner, solve
-    from planar_planner.planning.result import NoPath, PathFound, Result, Undecided
+    from planar_planner.planning.result import (
+        NoPath,
+        PathFound,
+        Result,
+        Seconds,
+        Statistics,
+        Undecided,
+    )
     from planar_planner.scene.goal_forms import Escape, GoalRegion
     from planar_planner.scene.model import Scene
 
@@ -42,6 +50,7 @@ _HOMES = {
     "Cells": "explain.cells",
     "CertificateError": "errors",
     "CertificateRejected": "errors",
+    "DecidedBy": "planning.outcome",
     "Escape": "scene.goal_forms",
     "GoalRegion": "scene.goal_forms",
     "ImportOptions": "formats.parts",
@@ -59,6 +68,9 @@ _HOMES = {
     "Result": "planning.result",
     "Scene": "scene.model",
     "SceneError": "errors",
+    "Seconds": "planning.result",
+    "Statistics": "planning.result",
+    "StopReason": "planning.outcome",
     "Undecided": "planning.result",
     "Verification": "checker.verify",
     "cells_on_path": "explain.cells",
@@ -74,6 +86,7 @@ __all__ = [
     "Cells",
     "CertificateError",
     "CertificateRejected",
+    "DecidedBy",
     "Escape",
     "GoalRegion",
     "ImportOptions",
@@ -91,6 +104,9 @@ __all__ = [
     "Result",
     "Scene",
     "SceneError",
+    "Seconds",
+    "Statistics",
+    "StopReason",
     "Undecided",
     "Verification",
     "cells_on_path",

@@ -161,7 +161,7 @@ def ask(
         setattr(row, answer.verdict, getattr(row, answer.verdict) + 1)
     if seconds > options.timeout + OVERTIME:
         fail(settings, row, scene, f"took {seconds:.1f} s at a limit of {options.timeout:g} s")
-    rebuilds = 0 if answer.result is None else answer.result.stats.get("search_rebuilds", 0)
+    rebuilds = 0 if answer.result is None else answer.result.stats.search_rebuilds
     if rebuilds:
         fail(settings, row, scene, f"search_rebuilds is {rebuilds}")
     if certified and answer.result is not None:

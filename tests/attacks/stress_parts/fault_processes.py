@@ -56,7 +56,7 @@ from planar_planner import Options, Planner
 scene = json.loads(sys.argv[1])
 def asked(planner, **limits):
     result = planner.solve(options=Options(**limits), certificate=True)
-    return result.verdict, result.reason, result.stats.get("cells", 0)
+    return result.verdict, result.reason, result.stats.cells
 planner = Planner(scene)
 asked(planner, max_cells=50)
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()

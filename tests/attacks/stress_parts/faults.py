@@ -19,7 +19,7 @@ from typing import Any
 from attacks.stress_parts import fault_files, fault_processes
 from attacks.stress_parts.certificates import certificate_failure
 from attacks.stress_parts.common import Row, Settings, fail
-from planar_planner import Options, Planner, load_scene
+from planar_planner import Options, Planner, StopReason, load_scene
 from planar_planner.planning.result import Result
 from planar_planner.scene.model import Scene
 from scenarios import maze
@@ -142,12 +142,12 @@ def _inconsistencies(result: Result, *allowed: str) -> Iterator[str]:
     if (len(result.path) >= 2) != (result.verdict == "path"):
         yield f"{result.verdict} with {len(result.path)} waypoints"
     stats = result.stats
-    if not stats and result.verdict == "undecided":
-        return  # out of memory: nothing is left to count
-    labels = sum(stats["cells_by_label"].values())
-    if not stats["cells"] == labels == sum(stats["cells_by_level"]):
-        yield f"{stats['cells']} cells, {labels} by label, {sum(stats['cells_by_level'])} by level"
-    negative = [k for k, v in stats.items() if isinstance(v, (int, float)) and v < 0]
+    if result.stop_reason is StopReason.OUT_OF_MEMORY:
+        return  # nothing is left to count
+    labels = sum(stats.cells_by_label.values())
+    if not stats.cells == labels == sum(stats.cells_by_level):
+        yield f"{stats.cells} cells, {labels} by label, {sum(stats.cells_by_level)} by level"
+    negative = [k for k, v in stats.to_dict().items() if isinstance(v, (int, float)) and v < 0]
     if negative:
         yield f"negative: {negative}"
 
@@ -156,13 +156,13 @@ def _inconsistencies(result: Result, *allowed: str) -> Iterator[str]:
 
 
 def _by_cells(planner: Planner, ends: Any, rng: random.Random, case: Case) -> Result:
-    most = rng.randint(1, max(2, case.there.stats["cells"]))
+    most = rng.randint(1, max(2, case.there.stats.cells))
     start, goal = ends
     return planner.solve(start, goal, Options(max_cells=most))
 
 
 def _by_memory(planner: Planner, ends: Any, rng: random.Random, case: Case) -> Result:
-    most = rng.randint(1, max(2, case.there.stats["memory_bytes"]))
+    most = rng.randint(1, max(2, case.there.stats.memory_bytes))
     start, goal = ends
     return planner.solve(start, goal, Options(max_memory=most))
 

@@ -121,7 +121,7 @@ def has_margin(settings: Settings, row: Row, subject: Subject, answer: Answer) -
     scene = subject.scene
     margin = 2 * MARGIN * size(scene)
     if answer.result is not None and answer.verdict == "path":
-        return bool(answer.result.stats["least_clearance"] > margin)
+        return bool(answer.result.stats.least_clearance > margin)
     body = shapely.MultiPolygon(
         [shapely.Polygon(p[0], p[1:]) for p in redraw.polygons(scene["robot"])]
     )

@@ -35,7 +35,7 @@ Answer solve(Planner& planner, const Configuration& start, const Configuration& 
 
 void expect_path_between(Planner& planner, const Answer& answer, const Configuration& start,
                          const Configuration& goal) {
-  ASSERT_EQ(answer.verdict, Verdict::kPath) << answer.reason;
+  ASSERT_EQ(answer.verdict, Verdict::kPath);
   const auto& path = answer.path.waypoints;
   ASSERT_GE(path.size(), 2U);
   EXPECT_EQ(path.front().x, start.x);
@@ -108,7 +108,7 @@ TEST(PlannerSmall, DomainThatJustHoldsTheRobot) {
   expect_path_between(planner, solve(planner, start, goal), start, goal);
   // A quarter turn needs a diagonal of room.
   const Answer turned = solve(planner, start, {0.5005, 0.5005, 0.5 * std::numbers::pi});
-  EXPECT_EQ(turned.verdict, Verdict::kNoPath) << turned.reason;
+  EXPECT_EQ(turned.verdict, Verdict::kNoPath);
 }
 
 TEST(PlannerSmall, ReferencePointFarOffTheBody) {

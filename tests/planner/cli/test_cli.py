@@ -51,7 +51,7 @@ def test_quiet_prints_the_verdict_alone(
     fake_core: type[FakeCore], scene_file: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["solve", scene_file, "--quiet"]) == 0
-    assert capsys.readouterr().out == "small: path found (straight move)\n"
+    assert capsys.readouterr().out == "small: path found (certified straight move)\n"
 
 
 def test_statistics_name_everything(
@@ -60,12 +60,12 @@ def test_statistics_name_everything(
     main(["solve", scene_file])
     out = capsys.readouterr().out
     for part in (
-        "length 2.5, 2 waypoints, least clearance inf",
+        "length 2.5, turning 0 rad, 2 waypoints, least clearance inf",
         "3 free, 2 star, 4 full, 3 mixed",
         "2: 4, 3: 8",
         "0 configurations tried first, 20 cells labelled, 340 separations, 5 of 9 pairs touched, "
         "7 faces, 2 search rounds",
-        "3.6 ms (preprocessing 1.0, labelling 2.0, faces 0.5, search 0.1, path 0.0, probe 0.0)",
+        "3.6 ms (preprocessing 1.0, labelling 2.0, faces 0.5, probe 0.0, search 0.1, path 0.0)",
     ):
         assert part in out
 

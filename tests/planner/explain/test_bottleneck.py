@@ -60,7 +60,7 @@ def test_the_way_leads_from_start_to_goal() -> None:
 
 def test_a_disc_in_the_robots_place_has_one_too() -> None:
     planner = Planner("disc-jammed")
-    assert planner.solve().stats["decided_by"] == "disc"
+    assert planner.solve().stats.decided_by == "disc"
     found = planner.bottleneck()
     assert found is not None
     assert found.depth > 0.0

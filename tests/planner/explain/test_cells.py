@@ -44,7 +44,7 @@ def test_cells_tile_the_space(corner: Planner) -> None:
 
 
 def test_counts_are_those_of_the_statistics(corner: Planner) -> None:
-    by_label = corner.solve().stats["cells_by_label"]
+    by_label = corner.solve().stats.cells_by_label
     counts = np.bincount(corner.cells().label, minlength=4)
     assert dict(zip(LABELS, counts.tolist(), strict=True)) == {
         name.upper(): count for name, count in by_label.items()

@@ -250,7 +250,7 @@ def test_without_a_path_the_angle_goes_round(opened: Any) -> None:
     page.state()
     assert (page.picture("#slice") != before).any()
     rows = page.run("return document.getElementById('statistics').textContent")
-    assert f"cells{Planner('gear-jammed').solve().stats['cells']:,}" in rows
+    assert f"cells{Planner('gear-jammed').solve().stats.cells:,}" in rows
 
 
 def test_dark(opened: Any) -> None:

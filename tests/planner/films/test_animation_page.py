@@ -127,11 +127,11 @@ def test_the_content_is_the_answer(gear: Material) -> None:
     assert np.array(content["path"]) == pytest.approx(gear.result.path, rel=1e-8)
     assert content["seconds"] == pytest.approx(content["travel"][-1] / 2.0)
     assert content["size"] == [900, 500]
-    assert content["cells"]["count"] == len(gear.cells) == gear.result.stats["cells"]
+    assert content["cells"]["count"] == len(gear.cells) == gear.result.stats.cells
     assert content["verdict"].startswith("path found")
     rows = dict(content["statistics"])
     assert rows["waypoints"] == str(len(gear.result.path))
-    assert rows["cells"] == f"{gear.result.stats['cells']:,}"
+    assert rows["cells"] == f"{gear.result.stats.cells:,}"
     rings = [len(ring) for polygon in content["world"]["obstacles"] for ring in polygon]
     assert sum(rings) == 2 * len(gear.problem.obstacles.coords)
 

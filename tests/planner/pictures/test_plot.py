@@ -14,7 +14,7 @@ from planar_planner.margins.find import margin
 from planar_planner.pictures import draw_scene, polygon_paths, save_picture
 from planar_planner.pictures.margin import draw_margin
 from planar_planner.planning.path_samples import equal_steps
-from planar_planner.planning.result import NoPath, PathFound, Undecided
+from planar_planner.planning.result import NoPath, PathFound, Statistics, Undecided
 from planar_planner.problem.make import make_problem
 
 PATH = np.array([(1.0, 1.0, 0.0), (1.0, 9.0, 1.0), (9.0, 9.0, 0.0)])
@@ -23,7 +23,7 @@ PATH = np.array([(1.0, 1.0, 0.0), (1.0, 9.0, 1.0), (9.0, 9.0, 0.0)])
 @pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf"])
 def test_writes_a_picture(tmp_path: Path, scene_dict: dict[str, Any], suffix: str) -> None:
     file = tmp_path / f"picture{suffix}"
-    draw_scene(load_scene(scene_dict), PathFound("small", "channel", PATH, {}), file)
+    draw_scene(load_scene(scene_dict), PathFound("small", "channel", PATH, Statistics()), file)
     assert file.stat().st_size > 1000
 
 
@@ -31,9 +31,9 @@ def test_title_states_the_verdict(scene_dict: dict[str, Any]) -> None:
     scene, none = load_scene(scene_dict), np.empty((0, 3))
     cases = [
         (None, "small"),
-        (PathFound("small", "channel", PATH, {}), "small – path found"),
-        (NoPath("small", "separation", none, {}), "small – no path: proven"),
-        (Undecided("small", "timeout", none, {}), "small – undecided: timeout"),
+        (PathFound("small", "channel", PATH, Statistics()), "small – path found"),
+        (NoPath("small", "separation", none, Statistics()), "small – no path: proven"),
+        (Undecided("small", "timeout", none, Statistics()), "small – undecided: timeout"),
     ]
     for result, title in cases:
         assert draw_scene(scene, result).axes[0].get_title() == title
@@ -77,7 +77,7 @@ def test_ghosts_stand_at_equal_steps() -> None:
 
 
 def test_a_path_without_motion_is_drawn(scene_dict: dict[str, Any]) -> None:
-    still = PathFound("small", "start is goal", np.repeat(PATH[:1], 2, axis=0), {})
+    still = PathFound("small", "start is goal", np.repeat(PATH[:1], 2, axis=0), Statistics())
     draw_scene(load_scene(scene_dict), still)
 
 

@@ -30,9 +30,9 @@ def test_both_ways_and_again(name: str) -> None:
         goal = content["goal"] if isinstance(content["goal"], list) else there.path[-1]
         back = planner.solve(goal, content["start"])
         assert back.verdict == expected, back.reason
-    labels = there.stats["cells_by_label"]
-    assert sum(labels.values()) == there.stats["cells"] == sum(there.stats["cells_by_level"])
-    assert there.stats["pairs_touched"] <= there.stats["pairs_total"]
+    labels = there.stats.cells_by_label
+    assert sum(labels.values()) == there.stats.cells == sum(there.stats.cells_by_level)
+    assert there.stats.pairs_touched <= there.stats.pairs_total
     if expected == "no_path":
         return
     for path in (there.path, back.path):
@@ -40,9 +40,9 @@ def test_both_ways_and_again(name: str) -> None:
         assert found.within_rounding, found
     steps = np.diff(there.path, axis=0)
     length = float(np.hypot(steps[:, 0], steps[:, 1]).sum())
-    assert there.stats["path_length"] == pytest.approx(length, rel=1e-12)
-    assert there.stats["waypoints"] == len(there.path)
-    assert there.stats["least_clearance"] > 0.0
+    assert there.stats.path_length == pytest.approx(length, rel=1e-12)
+    assert there.stats.waypoints == len(there.path)
+    assert there.stats.least_clearance > 0.0
 
 
 def sampled_clearance(content: dict[str, Any], path: NDArray[np.float64]) -> float:
@@ -67,5 +67,5 @@ def test_least_clearance_is_a_bound(name: str) -> None:
     content = json.loads((FOLDER / f"{name}.json").read_text(encoding="utf-8"))
     result = Planner(content).solve()
     assert result.verdict == "path"
-    reported = result.stats["least_clearance"]
+    reported = result.stats.least_clearance
     assert 0.0 < reported <= sampled_clearance(content, result.path) * (1.0 + 1e-9)

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 
 import planar_planner
+from planar_planner import Statistics
 from planar_planner.cli.main import main
 from planar_planner.errors import OutputError
 from support.stand_in_core import FakeCore
@@ -42,7 +43,7 @@ def test_out_of_memory_is_undecided_and_costs_the_core(
     fake_core.during_solve = raising(MemoryError("std::bad_alloc"))
     result = planner.solve(certificate=True)
     assert (result.verdict, result.reason) == ("undecided", "out of memory")
-    assert (len(result.path), result.stats, result.certificate) == (0, {}, None)
+    assert (len(result.path), result.stats, result.certificate) == (0, Statistics(), None)
     fake_core.during_solve = FakeCore.during_solve
     assert planner.solve().verdict == "path"
     assert len(fake_core.built) == 2  # cells half divided are not asked again

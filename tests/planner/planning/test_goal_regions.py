@@ -77,10 +77,10 @@ def test_a_start_in_the_goal_stays() -> None:
     scene = slot(0.4, {"region": rectangle(1, 1, 9, 9), "theta": [-0.5, 0.5]})
     result = answer(scene)
     assert result.verdict == "path"
-    assert result.stats["path_length"] == result.stats["path_turning"] == 0.0
+    assert result.stats.path_length == result.stats.path_turning == 0.0
     scene["start"][2] = 2 * math.tau  # the same angle, whole turns on
     result = answer(scene)
-    assert result.stats["path_turning"] < 1e-12
+    assert result.stats.path_turning < 1e-12
 
 
 def test_holes_and_several_polygons() -> None:
@@ -198,7 +198,7 @@ def test_random_regions_agree_with_goals_sampled_from_them() -> None:
 def test_a_planner_takes_regions_one_after_another() -> None:
     planner = Planner(slot(0.4, [8, 5, 0.0]))
     assert planner.solve().verdict == "no_path"
-    cells = planner.solve(goal={"region": BEYOND}).stats["labelled_cells"]
+    cells = planner.solve(goal={"region": BEYOND}).stats.labelled_cells
     assert planner.solve(goal={"region": shapely.box(7, 2, 9, 8)}).verdict == "no_path"
     assert cells < 300  # most of them were there
     assert planner.solve(goal={"region": shapely.box(1, 1, 3, 3)}).verdict == "path"
@@ -221,7 +221,7 @@ def test_answers_repeat() -> None:
     scene = slot(0.51, {"region": BEYOND, "theta": [1, 2]})
     first, second = solve(copy.deepcopy(scene)), solve(scene)
     assert first.path.tobytes() == second.path.tobytes()
-    assert first.stats["labelled_cells"] == second.stats["labelled_cells"]
+    assert first.stats.labelled_cells == second.stats.labelled_cells
 
 
 @pytest.mark.parametrize("gap", [1.9, 2.0])

@@ -5,11 +5,11 @@ from __future__ import annotations
 import dataclasses
 import math
 import re
-from pathlib import Path
 from typing import Any
 
 import pytest
 
+from planar_planner._core import Limits
 from planar_planner.cli.arguments.limits import options_of
 from planar_planner.cli.parser import make_parser
 from planar_planner.errors import OptionsError
@@ -30,19 +30,15 @@ def test_the_help_states_the_memory_that_is_the_default(capsys: pytest.CaptureFi
     assert options_of(arguments) == Options()
 
 
-def test_the_native_defaults_are_the_same() -> None:
-    """Except the timeout: native code waits for ever unless it says otherwise."""
-    header = Path(__file__).parents[3] / "planar_planner" / "native" / "limits.hpp"
-    fields = re.findall(r"^  \S+ (\w+) = (.+?);", header.read_text(encoding="utf-8"), re.MULTILINE)
-    native = dict(fields[:5])
-    shift = re.fullmatch(r"std::uint64_t\{(\d+)\} << (\d+)U", native["max_memory"])
-    assert shift is not None
-    assert {
-        "resolution": float(native["resolution"]),
-        "max_cells": int(native["max_cells"].replace("'", "")),
-        "max_memory": int(shift[1]) << int(shift[2]),
-        "contact_tolerance": float(native["contact_tolerance"]),
-    } == {name: getattr(Options(), name) for name in native if name != "timeout"}
+def test_defaults_are_those_of_the_core() -> None:
+    names = {name for name in dir(Limits) if not name.startswith("_")}
+    assert dataclasses.asdict(Options()) == {name: getattr(Limits(), name) for name in names}
+
+
+def test_defaults_are_finite() -> None:
+    """They are finite, and ends in contact stay where they are."""
+    assert all(math.isfinite(value) for value in dataclasses.asdict(Options()).values())
+    assert Options().contact_tolerance == 0.0
 
 
 def test_frozen() -> None:

@@ -10,12 +10,20 @@ import numpy as np
 import pytest
 
 from planar_planner.cli.report import headline, statistics
-from planar_planner.planning.result import NoPath, PathFound, Undecided, make_result
+from planar_planner.planning.outcome import DecidedBy, StopReason
+from planar_planner.planning.result import NoPath, PathFound, Statistics, Undecided, make_result
 
 
 def answer(verdict: str, **stats: Any) -> dict[str, Any]:
     path = [[0, 0, 0], [1, 2, 7.5]] if verdict == "path" else np.empty((0, 3))
-    return {"verdict": verdict, "reason": "because", "path": path, "stats": stats}
+    decided_by = {"path": DecidedBy.CHANNEL, "no_path": DecidedBy.SEPARATION}.get(verdict)
+    return {
+        "verdict": verdict,
+        "stop_reason": StopReason.CELLS if verdict == "undecided" else None,
+        "ends_moved": False,
+        "path": path,
+        "stats": Statistics(decided_by=decided_by, **stats),
+    }
 
 
 @pytest.mark.parametrize(
@@ -36,29 +44,23 @@ def test_json_is_exactly_the_published_object() -> None:
         "version": 1,
         "scene": "s",
         "verdict": "path",
-        "reason": "because",
+        "reason": "certified through a channel of cells",
+        "stop_reason": None,
         "path": [[0.0, 0.0, 0.0], [1.0, 2.0, 7.5]],
-        "stats": {"cells": 3},
+        "stats": Statistics(cells=3, decided_by=DecidedBy.CHANNEL).to_dict(),
     }
     assert make_result("s", answer("no_path")).to_json()["path"] == []
 
 
 def test_json_holds_plain_finite_values_only() -> None:
-    stats = {
-        "clearance": math.inf,
-        "count": np.int64(3),
-        "real": np.float64("nan"),
-        "levels": np.array([1, 2]),
-        "nested": {"a": (1.5, -math.inf), 2: [True, None, "x"]},
-    }
+    stats = {"least_clearance": math.inf, "path_length": math.nan, "cells_by_level": [1, 2]}
     content = make_result("s", answer("undecided", **stats)).to_json()
-    assert json.loads(json.dumps(content, allow_nan=False))["stats"] == {
-        "clearance": None,
-        "count": 3,
-        "real": None,
-        "levels": [1, 2],
-        "nested": {"a": [1.5, None], "2": [True, None, "x"]},
-    }
+    plain = json.loads(json.dumps(content, allow_nan=False))
+    assert plain["stop_reason"] == "cells"
+    assert (plain["stats"]["least_clearance"], plain["stats"]["path_length"]) == (None, None)
+    assert plain["stats"]["cells_by_level"] == [1, 2]
+    assert plain["stats"]["seconds"]["total"] == 0.0
+    assert plain["stats"]["decided_by"] is None
 
 
 def test_unknown_verdict_of_the_core_is_an_error() -> None:
@@ -66,7 +68,7 @@ def test_unknown_verdict_of_the_core_is_an_error() -> None:
         make_result("s", answer("maybe"))
 
 
-def test_text_survives_missing_statistics_and_strange_names() -> None:
+def test_text_survives_empty_statistics_and_strange_names() -> None:
     for verdict in ("path", "no_path", "undecided"):
         result = make_result("a\nb\x1b", answer(verdict))
         assert statistics(result).count("\n") <= 4

@@ -43,7 +43,7 @@ def test_solve_takes_dict_or_scene(
         result = planar_planner.solve(scene)
         assert result.verdict == verdict
         assert result.scene == "small"
-        assert result.stats["cells"] == 12
+        assert result.stats.cells == 12
 
 
 def test_second_query_uses_the_same_core(

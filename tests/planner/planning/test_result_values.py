@@ -12,7 +12,19 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planar_planner import Margin, Options, PathFound, Planner, Result, Scene, margin, solve
+from planar_planner import (
+    DecidedBy,
+    Margin,
+    Options,
+    PathFound,
+    Planner,
+    Result,
+    Scene,
+    Statistics,
+    StopReason,
+    margin,
+    solve,
+)
 from planar_planner.planning.result import make_result
 
 SCENE = Scene(
@@ -35,7 +47,14 @@ def bracket() -> Margin:
 
 
 def answer(verdict: str, scene: str = "s", path: Any = (), **stats: Any) -> Result:
-    found = {"verdict": verdict, "reason": "because", "path": path, "stats": stats}
+    decided_by = {"path": DecidedBy.CHANNEL, "no_path": DecidedBy.SEPARATION}.get(verdict)
+    found = {
+        "verdict": verdict,
+        "stop_reason": StopReason.TIME if verdict == "undecided" else None,
+        "ends_moved": False,
+        "path": path,
+        "stats": Statistics(decided_by=decided_by, **stats),
+    }
     return make_result(scene, found)
 
 
@@ -44,7 +63,7 @@ def test_the_same_query_twice_is_equal(result: Result) -> None:
     assert result == again
     assert hash(result) == hash(again)
     assert again.certificate is None
-    assert result.stats["seconds"] != again.stats["seconds"]
+    assert result.stats.seconds != again.stats.seconds
 
 
 def test_results_differ_by_verdict_scene_reason_and_path() -> None:
@@ -64,8 +83,8 @@ def test_length_and_clearance() -> None:
     assert (answer("no_path").path_length, answer("no_path").least_clearance) == (0.0, 0.0)
     assert answer("path", path=[[1, 2, 3]]).path_length == 0.0
     solved = solve("gear")
-    assert math.isclose(solved.path_length, solved.stats["path_length"], rel_tol=1e-14)
-    assert solved.least_clearance == solved.stats["least_clearance"] > 0
+    assert math.isclose(solved.path_length, solved.stats.path_length, rel_tol=1e-14)
+    assert solved.least_clearance == solved.stats.least_clearance > 0
 
 
 def test_no_result_is_true_or_false(result: Result, bracket: Margin) -> None:
@@ -82,9 +101,10 @@ def test_repr_is_one_short_line(bracket: Margin) -> None:
         assert "\n" not in repr(value)
         assert len(repr(value)) < 200
     assert repr(answer("path", path=[[0, 0, 0], [3, 4, 1]], least_clearance=0.25)) == (
-        "<PathFound 's': length 5, waypoints 2, least clearance 0.25, because>"
+        "<PathFound 's': length 5, waypoints 2, least clearance 0.25, "
+        "certified through a channel of cells>"
     )
-    assert repr(answer("no_path")) == "<NoPath 's': because>"
+    assert repr(answer("undecided")) == "<Undecided 's': time limit reached>"
     assert repr(bracket).startswith("<Margin 'corner': by offset, [")
 
 

@@ -23,18 +23,18 @@ def test_verdict_is_the_same_without_it(name: str) -> None:
     problem = make_problem(load_scene(name))
     answer = ask(make_core(problem, without=("probe",)), problem, Options())
     assert answer["verdict"] == SCENES[name]["expected"]
-    assert answer["stats"]["probe_checks"] == 0
-    assert answer["stats"]["decided_by"] != BY_TREES
+    assert answer["stats"].probe_checks == 0
+    assert answer["stats"].decided_by != BY_TREES
 
 
 @pytest.mark.parametrize("name", ROOMY)
 def test_answers_where_there_is_room(name: str) -> None:
     scene = load_scene(name)
     result = solve(scene, certificate=True)
-    assert result.stats["decided_by"] == BY_TREES
-    assert result.stats["cells"] == 0
-    assert result.stats["probe_checks"] > 0
-    assert result.stats["least_clearance"] > 0.0
+    assert result.stats.decided_by == BY_TREES
+    assert result.stats.cells == 0
+    assert result.stats.probe_checks > 0
+    assert result.stats.least_clearance > 0.0
     assert result.path[0].tolist() == list(scene.start)
     assert result.path[-1][:2].tolist() == list(scene.goal[:2])
     assert result.certificate is not None
@@ -45,13 +45,13 @@ def test_is_short_where_there_is_none() -> None:
     result = solve(scene)
     assert result.verdict == "no_path"
     most = CHECKS + CHECKS_PER_OBSTACLE * len(scene.obstacles)
-    assert 0 < result.stats["probe_checks"] <= most
+    assert 0 < result.stats.probe_checks <= most
 
 
 def test_is_the_same_every_time() -> None:
     first, second = (solve(load_scene("fence")) for _ in range(2))
     assert np.array_equal(first.path, second.path)
-    assert first.stats["probe_checks"] == second.stats["probe_checks"]
+    assert first.stats.probe_checks == second.stats.probe_checks
 
 
 def dodecagon_before_a_slot(width: float) -> dict[str, Any]:
@@ -76,5 +76,5 @@ def test_counts_what_the_discs_asked_too() -> None:
     # Wider than the disc inside the robot, narrower than the one around it: neither disc decides.
     result = solve(dodecagon_before_a_slot(1.94))
     assert result.verdict == "path"
-    assert result.stats["decided_by"] in ("channel", "ridge")
-    assert result.stats["probe_checks"] > CHECKS + CHECKS_PER_OBSTACLE * 2
+    assert result.stats.decided_by in ("channel", "ridge")
+    assert result.stats.probe_checks > CHECKS + CHECKS_PER_OBSTACLE * 2

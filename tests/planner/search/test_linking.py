@@ -37,8 +37,8 @@ def chain() -> Scene:
 def test_a_long_chain_of_gates_is_linked_in_few_rounds() -> None:
     """Testing links only up to the first that fails takes 1,396 rounds."""
     stats = solve(chain()).stats
-    assert stats["faces_tested"] > BAFFLES
-    assert stats["search_rounds"] < BAFFLES // 2
+    assert stats.faces_tested > BAFFLES
+    assert stats.search_rounds < BAFFLES // 2
 
 
 def test_a_bottleneck_that_is_about_to_close_is_not_made_dearer_by_other_links() -> None:
@@ -49,5 +49,5 @@ def test_a_bottleneck_that_is_about_to_close_is_not_made_dearer_by_other_links()
     problem = replace(problem, robot=body.polygons)
     answer = ask(make_core(problem), problem, Options())
     assert answer["verdict"] == "no_path"
-    assert answer["stats"]["faces_tested"] > 10_000
-    assert answer["stats"]["search_expansions"] < 4_000_000
+    assert answer["stats"].faces_tested > 10_000
+    assert answer["stats"].search_expansions < 4_000_000

@@ -53,7 +53,7 @@ def test_cells_grow_by_steps_not_by_factors(family: Any, side: int, verdict: str
     for clearance in CLEARANCES:
         result = solve(load_scene(family(side * clearance)), Options(resolution=1e-12))
         assert result.verdict == verdict, clearance
-        cells.append(result.stats["cells"])
+        cells.append(result.stats.cells)
     # Two more decimals cost about the same number of cells each time; a power law would make each
     # step ten times the one before (or a hundred times).
     steps = [after - before for before, after in itertools.pairwise(cells)]
@@ -75,7 +75,7 @@ def test_contact_on_a_cell_boundary_starves_no_other_channel(gap: float) -> None
     )
     result = solve(load_scene(content))
     assert result.verdict == "path"
-    assert result.stats["cells"] < 2000
+    assert result.stats.cells < 2000
 
 
 @pytest.mark.parametrize("rotation", [True, False])
@@ -85,4 +85,4 @@ def test_exactly_fitting_gate_is_undecided_by_resolution_and_soon(rotation: bool
     result = solve(load_scene(content))
     assert result.verdict == "undecided"
     assert result.reason == "resolution reached"
-    assert result.stats["cells"] < 5000
+    assert result.stats.cells < 5000

@@ -73,8 +73,8 @@ def test_cells_do_not_grow_with_the_inverse_of_the_clearance(angle: float) -> No
     for clearance in CLEARANCES:
         result = solve(load_scene(slot(angle, clearance)), FINE)
         assert result.verdict == "path", clearance
-        assert result.stats["decided_by"] == "ridge"
-        assert result.stats["cells"] < 600, clearance
+        assert result.stats.decided_by == "ridge"
+        assert result.stats.cells < 600, clearance
 
 
 @pytest.mark.parametrize("clearance", CLEARANCES)
@@ -98,18 +98,18 @@ def test_is_needed_in_a_slanted_gate_and_can_be_left_out() -> None:
     few = Options(resolution=1e-12, max_cells=5000)
     without = ask(make_core(problem, without=("ridge",)), problem, few)
     assert without["verdict"] == "undecided"
-    assert without["stats"]["ridge_tries"] == 0
-    assert without["stats"]["ridge_evaluations"] == 0
+    assert without["stats"].ridge_tries == 0
+    assert without["stats"].ridge_evaluations == 0
     answer = ask(make_core(problem), problem, few)
     assert answer["verdict"] == "path"
-    assert answer["stats"]["ridge_tries"] > 0
+    assert answer["stats"].ridge_tries > 0
 
 
 def test_is_the_same_every_time() -> None:
     scene = load_scene(slot(-0.3, 1e-5))
     first, second = (solve(scene, FINE) for _ in range(2))
     assert np.array_equal(first.path, second.path)
-    assert first.stats["ridge_evaluations"] == second.stats["ridge_evaluations"]
+    assert first.stats.ridge_evaluations == second.stats.ridge_evaluations
 
 
 def test_ends_are_the_users_own_and_the_way_back_is_found() -> None:

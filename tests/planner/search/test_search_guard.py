@@ -28,7 +28,7 @@ def answer(name: str, without: tuple[str, ...]) -> dict[str, Any]:
 def test_mended_trees_never_overlook_a_channel(name: str) -> None:
     """A channel that only the flood fill finds is counted; both searches decide alike."""
     mended, scratch = answer(name, NO_FIRST_TRY), answer(name, FROM_SCRATCH)
-    assert mended["stats"]["search_rebuilds"] == 0
+    assert mended["stats"].search_rebuilds == 0
     assert "undecided" in (mended["verdict"], scratch["verdict"]) or (
         mended["verdict"] == scratch["verdict"]
     )
@@ -40,7 +40,7 @@ def test_trees_are_mended_and_not_built_anew(name: str) -> None:
     steps = []
     for without in (NO_FIRST_TRY, FROM_SCRATCH):
         stats = answer(name, without)["stats"]
-        assert stats["search_rounds"] > 50
-        steps.append(stats["search_expansions"] / stats["search_rounds"])
+        assert stats.search_rounds > 50
+        steps.append(stats.search_expansions / stats.search_rounds)
     mended, scratch = steps
     assert mended < 0.5 * scratch

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from planar_planner.errors import one_line
+from planar_planner.planning.outcome import StopReason
 
 if TYPE_CHECKING:
-    from planar_planner.planning.result import Result
+    from planar_planner.planning.result import Result, Statistics
 
 _HEADLINES = {
     "path": "path found",
@@ -16,15 +17,20 @@ _HEADLINES = {
     "undecided": "undecided",
 }
 
-# What the core calls the limit, and how a user of the command line moves it.
-_HINTS = {
-    "resolution reached": "a smaller --resolution may decide it",
-    "cell limit reached": "a larger --max-cells may decide it",
-    "time limit reached": "a longer --timeout may decide it",
-    "memory limit reached": "a larger --max-memory may decide it",
-    "out of memory": "a --max-memory below what there is stops in time, and counts",
-    "contact tolerance": "--contact-tolerance LENGTH allows it",
+_ALLOW_CONTACT = "--contact-tolerance LENGTH allows it"
+
+HINTS: Mapping[StopReason, str] = {
+    StopReason.RESOLUTION: "a smaller --resolution may decide it",
+    StopReason.CELLS: "a larger --max-cells may decide it",
+    StopReason.MEMORY: "a larger --max-memory may decide it",
+    StopReason.TIME: "a longer --timeout may decide it",
+    StopReason.OUT_OF_MEMORY: "a --max-memory below what there is stops in time, and counts",
+    StopReason.START_TOUCHES_OBSTACLE: _ALLOW_CONTACT,
+    StopReason.START_TOUCHES_WORKSPACE: _ALLOW_CONTACT,
+    StopReason.GOAL_TOUCHES_OBSTACLE: _ALLOW_CONTACT,
+    StopReason.GOAL_TOUCHES_WORKSPACE: _ALLOW_CONTACT,
 }
+"""What a user of the command line can do about an undecided query; some reasons have no remedy."""
 
 
 def headline(result: Result, paint: Callable[[str], str] = str) -> str:
@@ -34,9 +40,9 @@ def headline(result: Result, paint: Callable[[str], str] = str) -> str:
 
 
 def statistics(result: Result) -> str:
-    """Return what was done and what it took; a statistic that the core left out is left out."""
+    """Return what was done and what it took."""
     stats = result.stats
-    if not stats:  # out of memory: nothing is left to count
+    if result.stop_reason is StopReason.OUT_OF_MEMORY:  # nothing is left to count
         return f"  {_hint_line(result)}"
     lines = [
         _hint_line(result),
@@ -50,48 +56,42 @@ def statistics(result: Result) -> str:
 
 
 def _hint_line(result: Result) -> str:
-    if result.verdict != "undecided":
-        return ""
-    return next((hint for limit, hint in _HINTS.items() if limit in result.reason), "")
+    return "" if result.stop_reason is None else HINTS.get(result.stop_reason, "")
 
 
-def _path_line(result: Result, stats: Mapping[str, Any]) -> str:
+def _path_line(result: Result, stats: Statistics) -> str:
     if result.verdict != "path":
         return ""
-    turning = f", turning {stats['path_turning']:.4g} rad" if "path_turning" in stats else ""
     return (
-        f"path: length {stats.get('path_length', 0.0):.6g}{turning}, {len(result.path)} waypoints, "
-        f"least clearance {stats.get('least_clearance', 0.0):.3g}"
+        f"path: length {stats.path_length:.6g}, turning {stats.path_turning:.4g} rad, "
+        f"{len(result.path)} waypoints, "
+        f"least clearance {stats.least_clearance:.3g}"
     )
 
 
-def _cells_line(stats: Mapping[str, Any]) -> str:
-    labels = stats.get("cells_by_label", {})
-    parts = ", ".join(f"{count:,} {label}" for label, count in labels.items())
-    return f"cells: {stats.get('cells', 0):,}" + (f" ({parts})" if parts else "")
+def _cells_line(stats: Statistics) -> str:
+    parts = ", ".join(f"{count:,} {label}" for label, count in stats.cells_by_label.items())
+    return f"cells: {stats.cells:,} ({parts})"
 
 
-def _levels_line(stats: Mapping[str, Any]) -> str:
-    levels = stats.get("cells_by_level", [])
-    filled = [f"{level}: {count:,}" for level, count in enumerate(levels) if count]
+def _levels_line(stats: Statistics) -> str:
+    filled = [f"{level}: {count:,}" for level, count in enumerate(stats.cells_by_level) if count]
     return "cells by level: " + ", ".join(filled) if filled else ""
 
 
-def _work_line(stats: Mapping[str, Any]) -> str:
+def _work_line(stats: Statistics) -> str:
     return (
-        f"work: {stats.get('probe_checks', 0):,} configurations tried first, "
-        f"{stats.get('labelled_cells', 0):,} cells labelled, "
-        f"{stats.get('separation_evaluations', 0):,} separations, "
-        f"{stats.get('pairs_touched', 0):,} of {stats.get('pairs_total', 0):,} pairs touched, "
-        f"{stats.get('faces_tested', 0):,} faces, {stats.get('search_rounds', 0):,} search rounds, "
-        f"{stats.get('memory_bytes', 0) / 2**20:.1f} MiB"
+        f"work: {stats.probe_checks:,} configurations tried first, "
+        f"{stats.labelled_cells:,} cells labelled, "
+        f"{stats.separation_evaluations:,} separations, "
+        f"{stats.pairs_touched:,} of {stats.pairs_total:,} pairs touched, "
+        f"{stats.faces_tested:,} faces, {stats.search_rounds:,} search rounds, "
+        f"{stats.memory_bytes / 2**20:.1f} MiB"
     )
 
 
-def _time_line(stats: Mapping[str, Any]) -> str:
-    seconds = dict(stats.get("seconds", {}))
-    if "total" not in seconds:
-        return ""
+def _time_line(stats: Statistics) -> str:
+    seconds = stats.seconds.to_dict()
     total = seconds.pop("total")
     parts = ", ".join(f"{name} {1e3 * value:.1f}" for name, value in seconds.items())
     return f"time: {1e3 * total:.1f} ms ({parts})"

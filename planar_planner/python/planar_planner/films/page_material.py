@@ -132,29 +132,26 @@ def _rounded(values: Sequence[float]) -> list[float]:
 
 
 def _statistics(material: Material) -> list[tuple[str, str]]:
-    """Return names and values; what the answer did not count is left out."""
+    """Return names and values."""
     stats, path = material.result.stats, material.result.path
     rows: list[tuple[str, str]] = []
     if len(path):
         rows = [
-            ("path length", f"{stats.get('path_length', 0.0):.6g}"),
-            ("turning", f"{stats.get('path_turning', 0.0):.4g} rad"),
+            ("path length", f"{stats.path_length:.6g}"),
+            ("turning", f"{stats.path_turning:.4g} rad"),
             ("waypoints", f"{len(path):,}"),
-            ("least clearance", f"{stats.get('least_clearance', 0.0):.3g}"),
+            ("least clearance", f"{stats.least_clearance:.3g}"),
         ]
-    by_label = stats.get("cells_by_label", {})
-    rows += [("cells", f"{stats['cells']:,}")] if "cells" in stats else []
-    rows += [(f"– {name.upper()}", f"{count:,}") for name, count in by_label.items()]
-    for key, name in (
-        ("probe_checks", "configurations tried first"),
-        ("labelled_cells", "cells labelled"),
-        ("separation_evaluations", "separations"),
-        ("faces_tested", "faces tested"),
-        ("search_rounds", "search rounds"),
-    ):
-        if key in stats:
-            rows.append((name, f"{stats[key]:,}"))
-    return rows
+    rows.append(("cells", f"{stats.cells:,}"))
+    rows += [(f"– {name.upper()}", f"{count:,}") for name, count in stats.cells_by_label.items()]
+    return [
+        *rows,
+        ("configurations tried first", f"{stats.probe_checks:,}"),
+        ("cells labelled", f"{stats.labelled_cells:,}"),
+        ("separations", f"{stats.separation_evaluations:,}"),
+        ("faces tested", f"{stats.faces_tested:,}"),
+        ("search rounds", f"{stats.search_rounds:,}"),
+    ]
 
 
 def _note(material: Material) -> str:

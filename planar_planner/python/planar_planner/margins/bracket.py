@@ -19,6 +19,7 @@ import numpy as np
 from planar_planner.margins.body import Body, ClaimError, Family, Floats
 from planar_planner.planning.engine import Listener, ask, make_core
 from planar_planner.planning.options import Options
+from planar_planner.planning.outcome import STOPS, DecidedBy, StopReason
 from planar_planner.problem.make import Problem
 
 SHARE = 0.5
@@ -33,6 +34,9 @@ about is in the middle of that, give or take a tenth, so two that are right leav
 
 FARTHER = 4.0
 """How much farther after a miss, so that a wrong guess costs a logarithm of its error."""
+
+BINDINGS = {DecidedBy.START: "start", DecidedBy.GOAL: "goal"}
+"""What the upper end rests on where an end collides; otherwise it rests on the way."""
 
 Guess = Callable[["Bracket"], float | None]
 """Guesses the margin from the path at the lower end, or does not."""
@@ -172,31 +176,31 @@ class Search:
                 return
         left = self._deadline - self._clock()
         if left <= 0.0:
-            bracket.reason = "time limit reached"
+            bracket.reason = STOPS[StopReason.TIME]
             return
         limits = replace(self._options, timeout=max(SHARE * left, 1e-3), contact_tolerance=0.0)
         answer = ask(core, replace(self._problem, robot=body.polygons), limits, self._listener)
         bracket.counts["queries"] += 1
-        bracket.counts["cells"] += answer["stats"]["cells"]
+        bracket.counts["cells"] += answer["stats"].cells
         if answer["verdict"] == "path":
             clearance = core.least_clearance() if self._reuse else 0.0
             raised = self._family.raised(body, clearance)
             _accept(bracket, max(raised, body.inner), np.array(answer["path"]), body)
         elif answer["verdict"] == "no_path":
-            by = answer["stats"]["decided_by"]
+            by = answer["stats"].decided_by
             bracket.upper, bracket.upper_body = body.outer, body
-            bracket.binding = by if by in ("start", "goal") else "way"
+            bracket.binding = BINDINGS.get(by, "way")
         else:
-            self._pass_over(bracket, body, answer["reason"])
+            self._pass_over(bracket, body, answer["stop_reason"])
 
-    def _pass_over(self, bracket: Bracket, body: Body, reason: str) -> None:
+    def _pass_over(self, bracket: Bracket, body: Body, reason: StopReason) -> None:
         """Note an undecided body, and go on beside it unless that has been done often enough."""
         bracket.counts["undecided"] += 1
         middle = 0.5 * (body.inner + body.outer)
         low, high = bracket.undecided or (middle, middle)
         bracket.undecided = (min(low, middle), max(high, middle))
-        if reason == "interrupted" or bracket.counts["undecided"] >= MOST_UNDECIDED:
-            bracket.reason = reason
+        if reason is StopReason.INTERRUPTED or bracket.counts["undecided"] >= MOST_UNDECIDED:
+            bracket.reason = STOPS[reason]
 
 
 def _accept(bracket: Bracket, lower: float, path: Floats, body: Body) -> None:

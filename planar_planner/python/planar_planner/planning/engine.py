@@ -25,6 +25,11 @@ def make_core(problem: Problem, without: Sequence[str] = (), query: str = "per-n
         Parts of the method to leave out, by their names in native/ablation.hpp; for experiments.
     query : str, optional
         The C-obstacle query that culls cells, by its name there; for experiments.
+
+    Raises
+    ------
+    ValueError
+        If there is no such part or query; it names those that there are.
     """
     workspace = problem.workspace
     return Core(

@@ -5,12 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from planar_planner._core import Limits
 from planar_planner.errors import OptionsError
 
-DEFAULT_RESOLUTION = 1e-9
-"""A fraction of the configuration space's extent, so without unit. Cells grow with no more than the
-logarithm of its inverse, so it is small: a path round the corner is found down to 1e-10 from
-critical. Native code that asks the core without Python has the same (native/limits.hpp)."""
+_DEFAULTS = Limits()
 
 
 @dataclass(frozen=True)
@@ -37,11 +35,11 @@ class Options:
         them from overlap.
     """
 
-    resolution: float = DEFAULT_RESOLUTION
-    max_cells: int = 5_000_000
-    timeout: float = 60.0
-    max_memory: int = 4 * 2**30
-    contact_tolerance: float = 0.0
+    resolution: float = _DEFAULTS.resolution
+    max_cells: int = _DEFAULTS.max_cells
+    timeout: float = _DEFAULTS.timeout
+    max_memory: int = _DEFAULTS.max_memory
+    contact_tolerance: float = _DEFAULTS.contact_tolerance
 
     def __post_init__(self) -> None:
         for name in ("resolution", "timeout", "contact_tolerance"):

@@ -9,7 +9,7 @@ from functools import partial
 
 import numpy as np
 
-from planar_planner._core import Core
+from planar_planner._core import Core, Statistics
 from planar_planner.errors import SceneError
 from planar_planner.explain.cells import Cells, make_cells
 from planar_planner.explain.thinnest_place import Bottleneck, make_bottleneck
@@ -17,6 +17,7 @@ from planar_planner.load import SceneLike, load_scene
 from planar_planner.planning.certificate import make_certificate
 from planar_planner.planning.engine import Listener, ask, make_core
 from planar_planner.planning.options import Options
+from planar_planner.planning.outcome import STOPS, StopReason
 from planar_planner.planning.placement import check_placements
 from planar_planner.planning.result import Result, Undecided, make_result
 from planar_planner.problem.make import Problem, make_problem, with_query
@@ -131,7 +132,10 @@ class Planner:
             try:
                 return self._answer(query, limits, listener, certificate)
             except MemoryError:
-                return Undecided(query.name, "out of memory", np.empty((0, 3)), {})
+                stop = StopReason.OUT_OF_MEMORY
+                return Undecided(
+                    query.name, STOPS[stop], np.empty((0, 3)), Statistics(), stop_reason=stop
+                )
 
     def cells(self) -> Cells:
         """Return the cells that the queries so far have left.
@@ -207,7 +211,7 @@ class Planner:
             self._core = core
             raise
         answer = ask(core, query, limits, listener)
-        answer["stats"]["least_clearance"] = core.least_clearance()
+        answer["stats"] = answer["stats"].replace(least_clearance=core.least_clearance())
         evidence = core.evidence() if certificate else None
         self._core = core
         if evidence is None:

@@ -10,8 +10,12 @@ from typing import Any, ClassVar, NoReturn, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from planar_planner._core import Seconds, Statistics
 from planar_planner.frozen_arrays import FrozenArrays, freeze
+from planar_planner.planning.outcome import StopReason, sentence_of
 from planar_planner.planning.result_text import result_html, result_line
+
+__all__ = ["NoPath", "PathFound", "Result", "Seconds", "Statistics", "Undecided", "make_result"]
 
 FORMAT = "planar-planner/result"
 VERSION = 1
@@ -29,23 +33,27 @@ class _Answer(FrozenArrays):
     scene : str
         Name of the scene.
     reason : str
-        What decided: for a path or its absence how it was found, for an undecided query the limit
-        that was reached.
+        What the verdict rests on, in words: for a path or its absence how it was found, for an
+        undecided query why it stayed so. Words may change: programs ask `stop_reason`, or
+        `stats.decided_by`.
     path : NDArray, shape (N, 3)
         Waypoints (x, y, theta), theta in radians and unwrapped; N = 0 without a path.
-    stats : mapping
-        Counts and times; the keys are listed in docs/method.md.
+    stats : Statistics
+        Counts and times; all zero if the query ran out of memory.
     certificate : dict or None
         The evidence as a JSON object (docs/certificate.md), if it was asked for and the query is
         decided.
+    stop_reason : StopReason or None
+        Why an undecided query stayed so.
     """
 
     verdict: ClassVar[str]
     scene: str
     reason: str
     path: NDArray[np.float64]
-    stats: Mapping[str, Any]
+    stats: Statistics
     certificate: dict[str, Any] | None = None
+    stop_reason: StopReason | None = None
 
     @property
     def path_length(self) -> float:
@@ -58,7 +66,7 @@ class _Answer(FrozenArrays):
 
         In the scene's unit; infinite if there is nothing to touch, 0 without a path.
         """
-        return float(self.stats.get("least_clearance", 0.0))
+        return self.stats.least_clearance
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, _Answer):
@@ -91,8 +99,9 @@ class _Answer(FrozenArrays):
             "scene": self.scene,
             "verdict": self.verdict,
             "reason": self.reason,
+            "stop_reason": self.stop_reason,
             "path": self.path.tolist(),
-            "stats": _plain(self.stats),
+            "stats": _plain(self.stats.to_dict()),
         }
 
 
@@ -127,7 +136,8 @@ def make_result(
     """Build the result from the core's answer."""
     path = np.array(answer["path"], dtype=np.float64).reshape(-1, 3)
     kind = _VERDICTS[answer["verdict"]]
-    result = kind(scene, str(answer["reason"]), path, dict(answer["stats"]), certificate)
+    reason = sentence_of(answer)
+    result = kind(scene, reason, path, answer["stats"], certificate, answer["stop_reason"])
     freeze(result)
     return result
 

@@ -51,7 +51,8 @@ def add_limits(command: argparse.ArgumentParser) -> None:
         type=byte_count,
         metavar="BYTES",
         default=_DEFAULTS.max_memory,
-        help="memory of the cells, with unit K, M, G or T (default: 4G)",
+        help="memory of the cells, with unit K, M, G or T "
+        f"(default: {_DEFAULTS.max_memory / 2**30:g}G)",
     )
     add_contact_tolerance(limits, "a touching start or goal may be moved")
 

@@ -1,0 +1,78 @@
+// What an answer rests on, and why a query stayed undecided. Programs decide on these enumerators;
+// the sentences that people read are made in Python (planar_planner/planning/outcome.py).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace planner {
+
+enum class Verdict : std::uint8_t { kPath, kNoPath, kUndecided };
+
+// X(enumerator, name in Python, value in Python and in result files)
+#define PLANNER_DECIDED_BY(X)                                                            \
+  X(kStraightMove, STRAIGHT_MOVE, "straight move") /* path: one segment */               \
+  X(kTwoLegMove, TWO_LEG_MOVE, "two-leg move")     /* path: a turn and a translation */  \
+  X(kDisc, DISC, "disc")                           /* either: a disc as the robot */     \
+  X(kFirstTry, FIRST_TRY, "RRT-Connect")           /* path: guessed by random trees */   \
+  X(kChannel, CHANNEL, "channel")                  /* path: through solid cells */       \
+  X(kRidge, RIDGE, "ridge")                        /* path: guessed through a channel */ \
+  X(kSeparation, SEPARATION, "separation")         /* no path: FULL cells and faces */   \
+  X(kStart, START, "start")                        /* no path: the start is not free */  \
+  X(kGoal, GOAL, "goal")                           /* no path: the goal is not free */
+
+#define PLANNER_STOP_REASON(X)                                                        \
+  X(kResolution, RESOLUTION, "resolution")                                            \
+  X(kCells, CELLS, "cells")                                                           \
+  X(kMemory, MEMORY, "memory")                                                        \
+  X(kTime, TIME, "time")                                                              \
+  X(kInterrupted, INTERRUPTED, "interrupted")     /* by the listener, or by Ctrl-C */ \
+  X(kOutOfMemory, OUT_OF_MEMORY, "out of memory") /* an allocation failed */          \
+  X(kStartTouchesObstacle, START_TOUCHES_OBSTACLE, "start touches obstacle")          \
+  X(kStartTouchesWorkspace, START_TOUCHES_WORKSPACE, "start touches workspace")       \
+  X(kGoalTouchesObstacle, GOAL_TOUCHES_OBSTACLE, "goal touches obstacle")             \
+  X(kGoalTouchesWorkspace, GOAL_TOUCHES_WORKSPACE, "goal touches workspace")          \
+  X(kMovedEnds, MOVED_ENDS, "moved ends")       /* no path, but between moved ends */ \
+  X(kLostChannel, LOST_CHANNEL, "lost channel") /* a defect of the search */
+
+#define PLANNER_ENUMERATOR(enumerator, name, word) enumerator,
+#define PLANNER_NAME(enumerator, name, word) Name<Enum>{Enum::enumerator, #name, word},
+
+enum class DecidedBy : std::uint8_t { PLANNER_DECIDED_BY(PLANNER_ENUMERATOR) };
+enum class StopReason : std::uint8_t { PLANNER_STOP_REASON(PLANNER_ENUMERATOR) };
+
+template <class Enum>
+struct Name {
+  Enum value;
+  const char* python;
+  std::string_view word;
+};
+
+// All enumerators in order, with their names.
+template <class Enum>
+struct Names;
+
+template <>
+struct Names<DecidedBy> {
+  using Enum = DecidedBy;
+  static constexpr const char* kClass = "DecidedBy";
+  static constexpr auto kAll = std::to_array({PLANNER_DECIDED_BY(PLANNER_NAME)});
+};
+
+template <>
+struct Names<StopReason> {
+  using Enum = StopReason;
+  static constexpr const char* kClass = "StopReason";
+  static constexpr auto kAll = std::to_array({PLANNER_STOP_REASON(PLANNER_NAME)});
+};
+
+#undef PLANNER_NAME
+#undef PLANNER_ENUMERATOR
+
+template <class Enum>
+constexpr std::string_view word(const Enum value) {
+  return Names<Enum>::kAll[static_cast<std::size_t>(value)].word;
+}
+
+}  // namespace planner
