@@ -29,7 +29,7 @@ void open_all(World& world, const Seen& seen, planner::ConstraintList& out) {
 }
 
 bool was_open(World& world, const Seen& seen, const planner::PairHeader& pair) {
-  const pdg::PosedRobot& posed = world.labeller.posed(rotation_of(world.space, seen.visit.box));
+  planner::PosedRobot& posed = world.posed_at(rotation_of(world.space, seen.visit.box));
   world.labeller.label(motion_of(world.space, seen.visit.box), posed, view(*seen.visit.parent),
                        world.list);
   for (const planner::PairHeader& header : world.list.pairs)

@@ -13,13 +13,6 @@ namespace {
 
 using planner::Label;
 
-pdg::Motion centre_of(const pdg::Motion& motion) {
-  pdg::Motion centre;
-  centre.t = motion.t;
-  centre.reach = motion.reach;
-  return centre;
-}
-
 void find_near(World& world, const pdg::Motion& motion, const pdg::Rotation rotation) {
   world.near.clear();
   planner::visit_nearby_pairs(world.problem.robot, world.tree, centre_of(motion), rotation, 0.0,
@@ -40,7 +33,7 @@ double depth_at_centre(World& world, const pdg::PosedPiece& a, const pdg::Convex
   return -shallowest - error;
 }
 
-bool scalar(World& world, const pdg::Motion& motion, const pdg::PosedRobot& posed,
+bool scalar(World& world, const pdg::Motion& motion, planner::PosedRobot& posed,
             const bool published) {
   const planner::Robot& robot = world.problem.robot;
   const pdg::HalfExtents half{motion.g1.x, motion.g2.y, motion.half_angle};
@@ -49,16 +42,16 @@ bool scalar(World& world, const pdg::Motion& motion, const pdg::PosedRobot& pose
   for (const planner::Witness& pair : world.near) {
     const double bound =
         published ? whole : pdg::displacement_bound(half, robot.pieces[pair.robot].reach);
-    const pdg::PosedPiece a = posed_piece(robot, posed, pair.robot);
+    const pdg::PosedPiece a = posed.piece(pair.robot);
     if (depth_at_centre(world, a, world.tree.piece(pair.obstacle), centre) > bound) return true;
   }
   return false;
 }
 
-bool per_normal(World& world, const pdg::Motion& motion, const pdg::PosedRobot& posed) {
+bool per_normal(World& world, const pdg::Motion& motion, planner::PosedRobot& posed) {
   const planner::Robot& robot = world.problem.robot;
   for (const planner::Witness& pair : world.near) {
-    const pdg::PosedPiece a = posed_piece(robot, posed, pair.robot);
+    const pdg::PosedPiece a = posed.piece(pair.robot);
     const pdg::ConvexPiece& b = world.tree.piece(pair.obstacle);
     world.all.clear();
     world.left.clear();
@@ -71,7 +64,7 @@ bool per_normal(World& world, const pdg::Motion& motion, const pdg::PosedRobot& 
 }
 
 // Joint obstruction by the pairs of world.list that have a single axis left.
-bool obstructed_by_single(World& world, const pdg::Motion& motion, const pdg::PosedRobot& posed) {
+bool obstructed_by_single(World& world, const pdg::Motion& motion, planner::PosedRobot& posed) {
   world.chosen.clear();
   std::size_t at = 0;
   for (const planner::PairHeader& pair : world.list.pairs) {
@@ -90,14 +83,15 @@ World::World(planner::Scene scene, const planner::Parts& parts, const double fix
     : problem(planner::make_problem(std::move(scene), parts)),
       tree(problem.scene.obstacles, problem.frame, problem.walls, parts.partition),
       labeller(problem.robot, tree, statistics, parts),
-      star(problem.robot, tree),
-      joint(problem.robot, tree),
+      posed(problem.robot),
+      star(tree),
+      joint(tree),
       space{problem.domain, problem.rotation, fixed_theta} {}
 
 bool proves(World& world, const Visit& visit, const Query query) {
   const pdg::Motion motion = motion_of(world.space, visit.box);
   const pdg::Rotation rotation = rotation_of(world.space, visit.box);
-  const pdg::PosedRobot& posed = world.labeller.posed(rotation);
+  planner::PosedRobot& posed = world.posed_at(rotation);
   if (query == Query::kLabel || query == Query::kSingle || query == Query::kJoint) {
     const planner::LabelResult result =
         world.labeller.label(motion, posed, view(*visit.parent), world.list);

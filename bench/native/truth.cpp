@@ -32,7 +32,7 @@ Extent centre_of(const Extent& box) {
 
 bool free_at_centre(World& world, const Extent& box, const ConstraintList& list) {
   const Extent point = centre_of(box);
-  const pdg::PosedRobot& posed = world.labeller.posed(rotation_of(world.space, point));
+  planner::PosedRobot& posed = world.posed_at(rotation_of(world.space, point));
   return world.labeller.label(motion_of(world.space, point), posed, view(list), world.list).label ==
          Label::kFree;
 }
@@ -62,7 +62,7 @@ Truth refine(World& world, const Extent& box, const ConstraintList& list, const 
     open.pop();
     for (const Extent& half : halves_of(world, parent.box)) {
       const pdg::Motion motion = motion_of(world.space, half);
-      const pdg::PosedRobot& posed = world.labeller.posed(rotation_of(world.space, half));
+      planner::PosedRobot& posed = world.posed_at(rotation_of(world.space, half));
       const auto child = std::make_shared<ConstraintList>();
       const planner::LabelResult result =
           world.labeller.label(motion, posed, view(*parent.list), *child);

@@ -229,15 +229,23 @@ struct World {
       : problem(planner::make_problem(std::move(scene))),
         tree(problem.scene.obstacles, problem.frame, problem.walls),
         labeller(problem.robot, tree, statistics),
+        posed(problem.robot),
         oracle(problem),
         space{problem.domain, problem.rotation, theta} {}
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
+  // The robot at a rotation, until the next call.
+  planner::PosedRobot& posed_at(const pdg::Rotation rotation) {
+    posed.turn_to(rotation);
+    return posed;
+  }
+
   planner::Problem problem;
   planner::ObstacleTree tree;
   planner::Statistics statistics;
   planner::Labeller labeller;
+  planner::PosedRobot posed;
   Oracle oracle;
   planner::CellSpace space;
 };

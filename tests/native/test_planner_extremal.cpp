@@ -40,16 +40,9 @@ Shape random_shape(Random& random, const World& world) {
 }
 
 pdg::Motion motion_of(const World& world, const Shape& shape, const double scale) {
-  pdg::Motion m;
-  m.t = shape.t;
-  m.g1 = {scale * shape.x, 0.0};
-  m.g2 = {0.0, scale * shape.y};
-  m.g1_length = m.g1.x;
-  m.g2_length = m.g2.y;
-  m.half_angle = std::min(scale * shape.turn, 0.78);
-  m.cos_half = std::cos(m.half_angle);
-  m.sin_half = std::sin(m.half_angle);
-  m.reach = world.problem.domain.reach + 2.0;
+  pdg::Motion m = pdg::make_motion(shape.t, {scale * shape.x, 0.0}, {0.0, scale * shape.y},
+                                   pdg::half_angle_of(std::min(scale * shape.turn, 0.78)),
+                                   world.problem.domain.reach + 2.0);
   m.angle_error = pdg::kPoseAngleUnits * pdg::kUnitRoundoff * std::abs(shape.theta);
   return m;
 }
@@ -72,14 +65,11 @@ Claims claims_of(World& world, const Shape& shape, const double scale) {
   ConstraintList root;
   world.labeller.root_list(root);
   const pdg::Motion m = motion_of(world, shape, scale);
-  const pdg::PosedRobot& posed =
-      world.labeller.posed({std::cos(shape.theta), std::sin(shape.theta)});
+  planner::PosedRobot& posed = world.posed_at({std::cos(shape.theta), std::sin(shape.theta)});
   out.label = world.labeller.label(m, posed, planner::view(root), out.list).label;
   if (out.label != Label::kMixed) return out;
-  out.joint = planner::JointTest(world.labeller.robot(), world.tree)
-                  .obstructs(m, posed, planner::view(out.list));
-  out.guard = planner::StarTest(world.labeller.robot(), world.tree)
-                  .find_guard(m, posed, planner::view(out.list));
+  out.joint = planner::JointTest(world.tree).obstructs(m, posed, planner::view(out.list));
+  out.guard = planner::StarTest(world.tree).find_guard(m, posed, planner::view(out.list));
   return out;
 }
 

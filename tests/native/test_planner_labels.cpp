@@ -25,7 +25,7 @@ Judged judge(World& world, const Extent& extent, const planner::ConstraintView& 
   Judged out;
   const planner::LabelResult result = world.labeller.label(
       planner::motion_of(world.space, extent),
-      world.labeller.posed(planner::rotation_of(world.space, extent)), parent, out.rest);
+      world.posed_at(planner::rotation_of(world.space, extent)), parent, out.rest);
   out.label = result.label;
   out.witness = result.witness;
   out.clearance = result.clearance;

@@ -14,6 +14,7 @@ using pdg::EdgeOwner;
 using pdg::Motion;
 using pdg::Range;
 using pdg::Rotation;
+using pdg::Vec2;
 using worlds::Random;
 using worlds::Real;
 
@@ -59,25 +60,23 @@ struct Posed {
 };
 
 Motion random_motion(Random& random, const bool segment) {
-  Motion m;
+  constexpr double kReach = 4.0;
   const double size = std::exp(worlds::uniform(random, std::log(1e-4), std::log(0.7)));
-  m.t = {worlds::uniform(random, -1.0, 1.0), worlds::uniform(random, -1.0, 1.0)};
+  const Vec2 t{worlds::uniform(random, -1.0, 1.0), worlds::uniform(random, -1.0, 1.0)};
+  Vec2 g1;
+  Vec2 g2;
   if (segment) {
-    m.g1 = {worlds::uniform(random, -size, size), worlds::uniform(random, -size, size)};
+    g1 = {worlds::uniform(random, -size, size), worlds::uniform(random, -size, size)};
   } else {
-    m.g1 = {worlds::pick(random, 0, 4) == 0 ? 0.0 : worlds::uniform(random, 0.0, size), 0.0};
-    m.g2 = {0.0, worlds::pick(random, 0, 4) == 0 ? 0.0 : worlds::uniform(random, 0.0, size)};
+    g1 = {worlds::pick(random, 0, 4) == 0 ? 0.0 : worlds::uniform(random, 0.0, size), 0.0};
+    g2 = {0.0, worlds::pick(random, 0, 4) == 0 ? 0.0 : worlds::uniform(random, 0.0, size)};
   }
-  m.g1_length = pdg::norm(m.g1);
-  m.g2_length = pdg::norm(m.g2);
   const double widest = segment ? std::numbers::pi / 2 : std::numbers::pi / 4;
-  m.half_angle = std::min(widest, std::exp(worlds::uniform(random, std::log(1e-4), 1.0)));
-  if (worlds::pick(random, 0, 5) == 0) m.half_angle = 0.0;
-  m.cos_half = std::cos(m.half_angle);
-  m.sin_half = std::sin(m.half_angle);
-  if (segment) m.turn = worlds::pick(random, 0, 1) == 0 ? m.half_angle : -m.half_angle;
-  m.reach = 4.0;
-  return m;
+  double half = std::min(widest, std::exp(worlds::uniform(random, std::log(1e-4), 1.0)));
+  if (worlds::pick(random, 0, 5) == 0) half = 0.0;
+  if (!segment) return pdg::make_motion(t, g1, g2, pdg::half_angle_of(half), kReach);
+  const double turn = worlds::pick(random, 0, 1) == 0 ? half : -half;
+  return pdg::make_segment_motion(t, g1, turn, kReach);
 }
 
 // One separating-axis function at a configuration, over a cyclic range of vertices.
@@ -111,22 +110,15 @@ worlds::Point sample(Random& random, const Motion& m, const double angle) {
 
 // The part of the motion about one of its configurations.
 Motion part(Random& random, const Motion& m, double& angle) {
-  Motion out = m;
   const double scale = worlds::uniform(random, 0.1, 0.6);
   const double s = worlds::uniform(random, scale - 1.0, 1.0 - scale);
   const double r = worlds::uniform(random, scale - 1.0, 1.0 - scale);
   const double d = m.turn != 0.0 ? s : worlds::uniform(random, scale - 1.0, 1.0 - scale);
-  out.t = m.t + s * m.g1 + r * m.g2;
-  out.g1 = scale * m.g1;
-  out.g2 = scale * m.g2;
-  out.g1_length = scale * m.g1_length;
-  out.g2_length = scale * m.g2_length;
-  out.half_angle = scale * m.half_angle;
-  out.turn = scale * m.turn;
-  out.cos_half = std::cos(out.half_angle);
-  out.sin_half = std::sin(out.half_angle);
+  const Vec2 t = m.t + s * m.g1 + r * m.g2;
   angle += d * (m.turn != 0.0 ? m.turn : m.half_angle);
-  return out;
+  if (m.turn != 0.0) return pdg::make_segment_motion(t, scale * m.g1, scale * m.turn, m.reach);
+  return pdg::make_motion(t, scale * m.g1, scale * m.g2, pdg::half_angle_of(scale * m.half_angle),
+                          m.reach);
 }
 
 Constraint whole(const Pair& pair, const EdgeOwner owner, const std::size_t edge) {
@@ -183,9 +175,8 @@ TEST(PlannerRanges, AreTightWhereTheyAreExact) {
   Random random(12);
   for (int trial = 0; trial < 150; ++trial) {
     const Pair pair = random_pair(random, trial % 5);
-    Motion m = random_motion(random, false);
-    m.g1 = m.g2 = {};
-    m.g1_length = m.g2_length = 0.0;
+    const Motion any = random_motion(random, false);
+    const Motion m = flattened(flattened(any, pdg::MotionPart::kG1), pdg::MotionPart::kG2);
     const double angle = worlds::uniform(random, -3.0, 3.0);
     const Posed posed(pair.a, angle);
     const double error = pdg::separation_error(pair.a, pair.b, m);

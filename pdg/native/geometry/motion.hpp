@@ -4,10 +4,9 @@
 // generator; a single configuration has none.
 #pragma once
 
-#include <span>
-#include <vector>
+#include <cmath>
+#include <cstdint>
 
-#include "convex_piece.hpp"
 #include "vec.hpp"
 
 namespace pdg {
@@ -21,6 +20,19 @@ constexpr Vec2 rotate(const Rotation r, const Vec2 a) {
   return {r.cos * a.x - r.sin * a.y, r.sin * a.x + r.cos * a.y};
 }
 
+// How far a motion turns to either side of its centre.
+struct HalfAngle {
+  double angle = 0.0;  // radians, not negative
+  double cos = 1.0;
+  double sin = 0.0;
+};
+
+inline HalfAngle half_angle_of(const double angle) {
+  return {angle, std::cos(angle), std::sin(angle)};
+}
+
+// Made by make_motion() and flattened(), which keep the fields consistent; `turn`, `margin` and
+// `angle_error` depend on no other field but as they say.
 struct Motion {
   Vec2 t;                   // centre of the translations
   Vec2 g1, g2;              // generators
@@ -35,14 +47,54 @@ struct Motion {
   double angle_error = 0.0;  // by how much (radians) the centre's angle may be off
 };
 
-// The robot's pieces turned to the centre of a motion: vertices and normals of all pieces, one
-// after another. piece i owns [first[i], first[i + 1]). A piece is turned when it is first asked
-// for: most never come near an obstacle.
-struct PosedRobot {
-  Rotation rotation;
-  mutable std::vector<Vec2> vertices;
-  mutable std::vector<Vec2> normals;
-  mutable std::vector<char> turned;  // by piece
-};
+// |g|; exact along an axis, also where the square would underflow.
+inline double generator_length(const Vec2 g) {
+  if (g.x == 0.0) return std::abs(g.y);
+  return g.y == 0.0 ? std::abs(g.x) : norm(g);
+}
+
+// `reach` bounds |t| over the whole set. Everything that follows from the arguments is set here.
+inline Motion make_motion(const Vec2 t, const Vec2 g1, const Vec2 g2, const HalfAngle& half,
+                          const double reach) {
+  Motion m;
+  m.t = t;
+  m.g1 = g1;
+  m.g2 = g2;
+  m.g1_length = generator_length(g1);
+  m.g2_length = generator_length(g2);
+  m.half_angle = half.angle;
+  m.cos_half = half.cos;
+  m.sin_half = half.sin;
+  m.reach = reach;
+  return m;
+}
+
+// A straight segment of configurations: t + s g and the angle's deviation s turn, |s| <= 1.
+inline Motion make_segment_motion(const Vec2 t, const Vec2 g, const double turn,
+                                  const double reach) {
+  Motion m = make_motion(t, g, {}, half_angle_of(std::abs(turn)), reach);
+  m.turn = turn;
+  return m;
+}
+
+enum class MotionPart : std::uint8_t { kG1, kG2, kTurn };
+
+// The part of the motion that has its centre and does not extend along `part`.
+inline Motion flattened(const Motion& m, const MotionPart part) {
+  const HalfAngle half{m.half_angle, m.cos_half, m.sin_half};
+  const bool turns = part != MotionPart::kTurn;
+  Motion out =
+      make_motion(m.t, part == MotionPart::kG1 ? Vec2{} : m.g1,
+                  part == MotionPart::kG2 ? Vec2{} : m.g2, turns ? half : HalfAngle{}, m.reach);
+  out.turn = turns ? m.turn : 0.0;
+  out.margin = m.margin;
+  out.angle_error = m.angle_error;
+  return out;
+}
+
+// The single configuration at its centre.
+inline Motion centre_of(const Motion& m) {
+  return flattened(flattened(flattened(m, MotionPart::kG1), MotionPart::kG2), MotionPart::kTurn);
+}
 
 }  // namespace pdg

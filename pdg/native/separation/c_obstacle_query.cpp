@@ -26,19 +26,10 @@ struct Stretch {
 };
 
 Stretch make_stretch(const Pose& centre, const HalfExtents& half) {
-  Stretch s;
-  s.rotation = rotation_of(centre.theta);
-  s.motion.t = centre.t;
-  s.motion.g1 = {half.x, 0.0};
-  s.motion.g2 = {0.0, half.y};
-  s.motion.g1_length = half.x;
-  s.motion.g2_length = half.y;
-  s.motion.half_angle = half.theta;
-  s.motion.cos_half = std::cos(half.theta);
-  s.motion.sin_half = std::sin(half.theta);
-  s.motion.reach =
+  const double reach =
       (std::hypot(centre.t.x, centre.t.y) + std::hypot(half.x, half.y)) * kRadiusPadding;
-  return s;
+  return {rotation_of(centre.theta),
+          make_motion(centre.t, {half.x, 0.0}, {0.0, half.y}, half_angle_of(half.theta), reach)};
 }
 
 // Stretches that together cover the cell. Their centres are rounded, so each is widened by that.

@@ -73,7 +73,7 @@ std::optional<Connector> FaceTest::quick_connector(const CellId a, const CellId 
                                                    const Extent& face, const ConstraintView& list) {
   const CellSpace& space = subdivision_.space();
   const pdg::Motion m = motion_of(space, face);
-  const pdg::PosedRobot& posed = labeller_.posed(rotation_of(space, face));
+  posed_.turn_to(rotation_of(space, face));
   const auto clamped = [&](const Vec2 p) {
     return Vec2{std::clamp(p.x, m.t.x - m.g1.x, m.t.x + m.g1.x),
                 std::clamp(p.y, m.t.y - m.g2.y, m.t.y + m.g2.y)};
@@ -81,7 +81,7 @@ std::optional<Connector> FaceTest::quick_connector(const CellId a, const CellId 
   const Vec2 ga = subdivision_.guard(a);
   const Vec2 gb = subdivision_.guard(b);
   for (const Vec2 p : {clamped(0.5 * (ga + gb)), clamped(ga), clamped(gb), m.t})
-    if (is_free(labeller_.robot(), labeller_.tree(), posed, p, space.domain.reach, list))
+    if (is_free(labeller_.tree(), posed_, p, space.domain.reach, list))
       return Connector{p, middle(face.low[kTheta], face.size[kTheta])};
   return std::nullopt;
 }
@@ -91,18 +91,18 @@ Link FaceTest::label_face(const Extent& face, const ConstraintView& parent, cons
   --budget;
   const CellSpace& space = subdivision_.space();
   const pdg::Motion motion = motion_of(space, face);
-  const pdg::PosedRobot& posed = labeller_.posed(rotation_of(space, face));
+  posed_.turn_to(rotation_of(space, face));
   ConstraintList list;
-  const LabelResult result = labeller_.label(motion, posed, parent, list);
+  const LabelResult result = labeller_.label(motion, posed_, parent, list);
   const std::uint64_t turns = middle(face.low[kTheta], face.size[kTheta]);
   if (result.label == Label::kFull) {
     blocked_.push_back({face, kNoAxis, false, result.witness, {}});
     return {LinkState::kBlocked, {}};
   }
   if (result.label == Label::kFree) return {LinkState::kOpen, {motion.t, turns}};
-  if (const auto guard = star_.find_guard(motion, posed, view(list)))
+  if (const auto guard = star_.find_guard(motion, posed_, view(list)))
     return {LinkState::kOpen, {*guard, turns}};
-  if (labeller_.parts().joint && joint_.obstructs(motion, posed, view(list))) {
+  if (labeller_.parts().joint && joint_.obstructs(motion, posed_, view(list))) {
     blocked_.push_back({face, kNoAxis, true, {}, joint_.proof(view(list))});
     return {LinkState::kBlocked, {}};
   }

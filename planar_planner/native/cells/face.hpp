@@ -34,8 +34,9 @@ class FaceTest {
       : subdivision_(subdivision),
         labeller_(labeller),
         statistics_(statistics),
-        star_(labeller.robot(), labeller.tree()),
-        joint_(labeller.robot(), labeller.tree()) {}
+        posed_(labeller.robot()),
+        star_(labeller.tree()),
+        joint_(labeller.tree()) {}
 
   // Both cells are solid leaves that share a face. Open links are remembered.
   Link test(CellId a, CellId b);
@@ -53,6 +54,7 @@ class FaceTest {
   const Subdivision& subdivision_;
   Labeller& labeller_;
   Statistics& statistics_;
+  PosedRobot posed_;
   StarTest star_;
   JointTest joint_;
   std::unordered_map<std::uint64_t, Connector> open_;

@@ -71,8 +71,9 @@ Subdivision::Subdivision(const CellSpace& space, Labeller& labeller, Statistics&
     : space_(space),
       labeller_(labeller),
       statistics_(statistics),
-      star_(labeller.robot(), labeller.tree()),
-      joint_(labeller.robot(), labeller.tree()) {
+      posed_(labeller.robot()),
+      star_(labeller.tree()),
+      joint_(labeller.tree()) {
   ConstraintList root;
   labeller_.root_list(root);
   for (std::uint64_t i = 0; i < (std::uint64_t{1} << root_level()); ++i) {
@@ -184,12 +185,10 @@ Axis Subdivision::best_axis(const CellBox& box, const pdg::Sway& sway,
 // The sway along those axes only, if there are any, along which halving often enough settles the
 // cell: made flat along such an axis it would be FULL or STAR. `child_list_` is the cell's own.
 pdg::Sway Subdivision::settling_sway(const CellBox& box, const pdg::Motion& motion,
-                                     const pdg::PosedRobot& posed, const LabelResult& result) {
-  std::array<pdg::Motion, 3> flat{motion, motion, motion};
-  flat[kX].g1 = flat[kY].g2 = {};
-  flat[kX].g1_length = flat[kY].g2_length = 0.0;
-  flat[kTheta].half_angle = flat[kTheta].sin_half = 0.0;
-  flat[kTheta].cos_half = 1.0;
+                                     PosedRobot& posed, const LabelResult& result) {
+  const std::array<pdg::Motion, 3> flat{flattened(motion, pdg::MotionPart::kG1),
+                                        flattened(motion, pdg::MotionPart::kG2),
+                                        flattened(motion, pdg::MotionPart::kTurn)};
   const Parts& parts = labeller_.parts();
   const auto settled = [&](const pdg::Motion& m) {
     const bool full = parts.joint && result.separation < 0.0 && joint_.obstructs(m);
@@ -217,8 +216,8 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
   ++statistics_.labelled_cells;
   const Extent extent = extent_of(box);
   const pdg::Motion motion = motion_of(space_, extent);
-  const pdg::PosedRobot& posed = labeller_.posed(rotation_of(space_, extent));
-  const LabelResult result = labeller_.label(motion, posed, parent, child_list_);
+  posed_.turn_to(rotation_of(space_, extent));
+  const LabelResult result = labeller_.label(motion, posed_, parent, child_list_);
 
   Cell cell;
   cell.box = box;
@@ -229,7 +228,7 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
     // A cell whose centre looks free is not FULL; the rest is worth both tests.
     const Parts& parts = labeller_.parts();
     if (parts.joint && result.separation < 0.0 &&
-        joint_.obstructs(motion, posed, view(child_list_))) {
+        joint_.obstructs(motion, posed_, view(child_list_))) {
       cell.label = Label::kFull;
       cell.joint = true;
       cell.proof = static_cast<std::uint32_t>(proofs_.size());
@@ -239,7 +238,7 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
     } else if (!parts.star) {
       // left MIXED
     } else if (++statistics_.star_tests;
-               const auto guard = star_.find_guard(motion, posed, view(child_list_))) {
+               const auto guard = star_.find_guard(motion, posed_, view(child_list_))) {
       cell.label = Label::kStar;
       cell.guard = static_cast<std::uint32_t>(guards_.size());
       grow(guards_);
@@ -253,7 +252,7 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
   const std::array<double, 3> widths{motion.g1_length, motion.g2_length,
                                      result.turning_radius * motion.half_angle};
   const bool ask = cell.label == Label::kMixed && relative < kAskBelow;
-  const pdg::Sway sway = ask ? settling_sway(box, motion, posed, result) : result.sway;
+  const pdg::Sway sway = ask ? settling_sway(box, motion, posed_, result) : result.sway;
   const Axis axis = best_axis(box, sway, widths);
   cell.split_axis = static_cast<std::uint8_t>(axis);
   cell.split_width = axis == kNoAxis ? 0.0F : static_cast<float>(widths[axis]);

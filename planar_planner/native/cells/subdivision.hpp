@@ -112,8 +112,8 @@ class Subdivision {
                     const std::array<std::uint64_t, 3>& point, std::uint64_t slack,
                     std::vector<CellId>& out) const;
 
-  pdg::Sway settling_sway(const CellBox& box, const pdg::Motion& motion,
-                          const pdg::PosedRobot& posed, const LabelResult& result);
+  pdg::Sway settling_sway(const CellBox& box, const pdg::Motion& motion, PosedRobot& posed,
+                          const LabelResult& result);
   Cell make_cell(const CellBox& box, const ConstraintView& parent);
   void adopt_neighbours(CellId lower, CellId upper, const Halves& halves, Axis axis,
                         const std::vector<CellId>& old);
@@ -126,6 +126,7 @@ class Subdivision {
   CellSpace space_;
   Labeller& labeller_;
   Statistics& statistics_;
+  PosedRobot posed_;
   StarTest star_;
   JointTest joint_;
   std::vector<Cell> cells_;

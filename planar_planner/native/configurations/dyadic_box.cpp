@@ -19,9 +19,7 @@ double fraction(const std::uint64_t k) {
 }
 static_assert(kCoordinateBits == 60);
 
-struct HalfAngle {
-  double angle, cos, sin;
-};
+using pdg::HalfAngle;
 
 // cos and sin of half a cell's angle, by its size as a power of two of a turn. Sizes are powers of
 // two, so there are few of them; theta sizes above half a turn do not occur.
@@ -30,12 +28,12 @@ HalfAngle half_angle(const std::uint64_t size) {
     std::array<HalfAngle, kCoordinateBits + 1> t{};
     for (std::size_t bit = 0; bit <= kCoordinateBits; ++bit) {
       const double angle = kTurn * 0.5 * fraction(std::uint64_t{1} << bit);
-      t[bit] = {angle, std::cos(angle), std::sin(angle)};
+      t[bit] = pdg::half_angle_of(angle);
     }
     t[kCoordinateBits - 1] = {std::numbers::pi / 2, 0.0, 1.0};
     return t;
   }();
-  if (size == 0) return {0.0, 1.0, 0.0};
+  if (size == 0) return {};
   return table[static_cast<std::size_t>(std::bit_width(size)) - 1];
 }
 
@@ -115,20 +113,12 @@ Vec2 position_of(const CellSpace& space, const std::uint64_t x, const std::uint6
 }
 
 pdg::Motion motion_of(const CellSpace& space, const Extent& e) {
-  pdg::Motion m;
-  m.t = position_of(space, e.low[kX] + e.size[kX] / 2, e.low[kY] + e.size[kY] / 2);
-  m.g1 = {0.5 * space.domain.size.x * fraction(e.size[kX]), 0.0};
-  m.g2 = {0.0, 0.5 * space.domain.size.y * fraction(e.size[kY])};
-  m.g1_length = m.g1.x;
-  m.g2_length = m.g2.y;
-  m.reach = space.domain.reach;
-  if (space.rotation) {
-    const HalfAngle half = half_angle(e.size[kTheta]);
-    m.half_angle = half.angle;
-    m.cos_half = half.cos;
-    m.sin_half = half.sin;
-  }
-  return m;
+  const Vec2 centre = position_of(space, e.low[kX] + e.size[kX] / 2, e.low[kY] + e.size[kY] / 2);
+  const Vec2 half{0.5 * space.domain.size.x * fraction(e.size[kX]),
+                  0.5 * space.domain.size.y * fraction(e.size[kY])};
+  return pdg::make_motion(centre, {half.x, 0.0}, {0.0, half.y},
+                          space.rotation ? half_angle(e.size[kTheta]) : HalfAngle{},
+                          space.domain.reach);
 }
 
 }  // namespace planner

@@ -61,13 +61,6 @@ void RidgeClimb::sort_axes(std::vector<PairAxis>& axes) {
   axes.erase(std::unique(axes.begin(), axes.end(), same), axes.end());
 }
 
-void RidgeClimb::turn_to(const Pose& at) {
-  const pdg::Rotation rotation = rotation_at(at.theta);
-  if (posed_.vertices.empty() || posed_.rotation.cos != rotation.cos ||
-      posed_.rotation.sin != rotation.sin)
-    pose(problem_.robot, rotation, posed_);
-}
-
 Pose RidgeClimb::moved(const Pose& from, const Step3& d) const {
   const double turn = problem_.rotation ? d[2] / problem_.robot.reach : 0.0;
   return {from.t + Vec2{d[0], d[1]}, from.theta + turn};
@@ -78,7 +71,7 @@ Pose RidgeClimb::moved(const Pose& from, const Step3& d) const {
 template <class Visit>
 void RidgeClimb::each_vertex(const PairAxis& axis, const Vec2 t, const Visit& visit) {
   ++statistics_.ridge_evaluations;
-  const pdg::PosedPiece a = posed_piece(problem_.robot, posed_, axis.robot);
+  const pdg::PosedPiece a = posed_.piece(axis.robot);
   const pdg::ConvexPiece& b = tree_.piece(axis.obstacle);
   if (axis.owner == EdgeOwner::kObstacle) {
     const pdg::Edge& edge = b.edges[axis.edge];
@@ -114,7 +107,7 @@ double RidgeClimb::add_terms(const PairAxis& axis, const Vec2 t) {
 
 double RidgeClimb::add_best(const Pose& at, const std::span<const PairAxis> axes,
                             std::vector<PairAxis>& best) {
-  turn_to(at);
+  posed_.turn_to(rotation_at(at.theta));
   double least = INFINITY;
   for (std::size_t first = 0, i = 0; first < axes.size(); first = i) {
     std::size_t widest = first;
@@ -133,7 +126,7 @@ double RidgeClimb::add_best(const Pose& at, const std::span<const PairAxis> axes
 
 void RidgeClimb::add_good(const Pose& at, const std::span<const PairAxis> axes,
                           std::vector<PairAxis>& good) {
-  turn_to(at);
+  posed_.turn_to(rotation_at(at.theta));
   for (std::size_t first = 0, i = 0; first < axes.size(); first = i) {
     values_.clear();
     for (; i < axes.size() && axes[i].same_pair(axes[first]); ++i)
@@ -182,7 +175,7 @@ Height RidgeClimb::climb(const Pose& from, const double radius,
 Height RidgeClimb::climb_all(const Pose& from, const double radius,
                              const std::span<const PairAxis> axes) {
   return climb_by(from, radius, [&](const Pose& at) {
-    turn_to(at);
+    posed_.turn_to(rotation_at(at.theta));
     terms_.clear();
     double least = INFINITY;
     for (const PairAxis& axis : axes) least = std::min(least, add_terms(axis, at.t));

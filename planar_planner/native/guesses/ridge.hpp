@@ -12,6 +12,7 @@
 #include "planar_planner/native/labels/constraints.hpp"
 #include "planar_planner/native/statistics.hpp"
 #include "planar_planner/native/world/obstacle_tree.hpp"
+#include "planar_planner/native/world/posed_robot.hpp"
 #include "planar_planner/native/world/problem.hpp"
 
 namespace planner {
@@ -36,7 +37,7 @@ struct Height {
 class RidgeClimb {
  public:
   RidgeClimb(const Problem& problem, const ObstacleTree& tree, Statistics& statistics)
-      : problem_(problem), tree_(tree), statistics_(statistics) {}
+      : problem_(problem), tree_(tree), statistics_(statistics), posed_(problem.robot) {}
 
   // What a cell leaves undecided; all axes of pairs that are still closed, none of nodes.
   void add_axes(const ConstraintView& list, std::vector<PairAxis>& axes) const;
@@ -63,13 +64,12 @@ class RidgeClimb {
   void each_vertex(const PairAxis& axis, Vec2 t, const Visit& visit);
   double value(const PairAxis& axis, Vec2 t);
   double add_terms(const PairAxis& axis, Vec2 t);
-  void turn_to(const Pose& at);
   [[nodiscard]] Pose moved(const Pose& from, const Step3& d) const;
 
   const Problem& problem_;
   const ObstacleTree& tree_;
   Statistics& statistics_;
-  pdg::PosedRobot posed_;
+  PosedRobot posed_;
   std::vector<PairAxis> best_;
   std::vector<double> values_;
   std::vector<LinearTerm> terms_, terms_here_;  // of the step tried, and where the climb has got to

@@ -37,8 +37,7 @@ std::size_t JointProof::bytes() const {
   return sum;
 }
 
-void JointTest::look_at(const Motion& motion, const pdg::PosedRobot& posed,
-                        const ConstraintView& list) {
+void JointTest::look_at(const Motion& motion, PosedRobot& posed, const ConstraintView& list) {
   terms_.clear();
   several_.clear();
   std::size_t at = 0;
@@ -115,9 +114,9 @@ void JointTest::weigh(const Motion& m, const TermRange range) {
   }
 }
 
-void JointTest::add_terms(const Motion& motion, const pdg::PosedRobot& posed,
-                          const PairHeader& pair, const Constraint& c) {
-  const PosedPiece a = posed_piece(robot_, posed, pair.robot);
+void JointTest::add_terms(const Motion& motion, PosedRobot& posed, const PairHeader& pair,
+                          const Constraint& c) {
+  const PosedPiece a = posed.piece(pair.robot);
   const ConvexPiece& b = tree_.piece(pair.obstacle);
   const double error = pdg::separation_error(*a.piece, b, motion);
   const std::size_t ring = c.owner == EdgeOwner::kObstacle ? a.vertices.size() : b.edges.size();

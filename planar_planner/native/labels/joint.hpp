@@ -18,25 +18,24 @@
 #include "full_claim.hpp"
 #include "pdg/native/geometry/motion.hpp"
 #include "planar_planner/native/world/obstacle_tree.hpp"
-#include "planar_planner/native/world/robot.hpp"
+#include "planar_planner/native/world/posed_robot.hpp"
 #include "weights.hpp"
 
 namespace planner {
 
 class JointTest {
  public:
-  JointTest(const Robot& robot, const ObstacleTree& tree) : robot_(robot), tree_(tree) {}
+  explicit JointTest(const ObstacleTree& tree) : tree_(tree) {}
 
   // True: proven, in exact arithmetic, that no configuration of the motion is free. `list` is the
   // motion's own undecided list.
-  bool obstructs(const pdg::Motion& motion, const pdg::PosedRobot& posed,
-                 const ConstraintView& list) {
+  bool obstructs(const pdg::Motion& motion, PosedRobot& posed, const ConstraintView& list) {
     look_at(motion, posed, list);
     return obstructs(motion);
   }
   // The same of parts of the motion that was looked at last, with the same centre.
   bool obstructs(const pdg::Motion& part);
-  void look_at(const pdg::Motion& motion, const pdg::PosedRobot& posed, const ConstraintView& list);
+  void look_at(const pdg::Motion& motion, PosedRobot& posed, const ConstraintView& list);
 
   // What is behind the last `true`, which was about this list.
   [[nodiscard]] JointProof proof(const ConstraintView& list) const;
@@ -63,7 +62,7 @@ class JointTest {
     std::size_t end;
   };
 
-  void add_terms(const pdg::Motion& motion, const pdg::PosedRobot& posed, const PairHeader& pair,
+  void add_terms(const pdg::Motion& motion, PosedRobot& posed, const PairHeader& pair,
                  const pdg::Constraint& constraint);
   void add_term(const pdg::Motion& motion, const pdg::PosedPiece& a, const pdg::ConvexPiece& b,
                 const JointTerm& source, double error);
@@ -73,7 +72,6 @@ class JointTest {
   bool proves(const pdg::Motion& motion, const WeightProgram::Weights& weights);
   void note_sum(const WeightProgram::Weights& weights);
 
-  const Robot& robot_;
   const ObstacleTree& tree_;
   // Terms of the pairs with one active axis, then those of the choices.
   std::vector<Term> terms_;

@@ -37,7 +37,7 @@ void bring_forward(ConstraintList& list, const std::size_t pair, const std::size
 // State of one labelling; false from a visitor means FULL: stop.
 struct Labeller::Pass {
   const Motion& motion;
-  const pdg::PosedRobot& posed;
+  PosedRobot& posed;
   ConstraintList& out;
   Vec2 extent;  // half-extents of the translations along x and y
   double extent_norm;
@@ -90,15 +90,8 @@ void Labeller::root_list(ConstraintList& out) const {
       out.pairs.push_back({piece, static_cast<std::uint16_t>(i), 0});
 }
 
-const pdg::PosedRobot& Labeller::posed(const pdg::Rotation rotation) {
-  if (posed_.vertices.empty() || posed_.rotation.cos != rotation.cos ||
-      posed_.rotation.sin != rotation.sin)
-    pose(robot_, rotation, posed_);
-  return posed_;
-}
-
-LabelResult Labeller::label(const Motion& motion, const pdg::PosedRobot& posed,
-                            const ConstraintView& parent, ConstraintList& out) {
+LabelResult Labeller::label(const Motion& motion, PosedRobot& posed, const ConstraintView& parent,
+                            ConstraintList& out) {
   out.clear();
   const Vec2 extent = box_extent(motion);
   Pass pass{motion, posed, out, extent, pdg::norm(extent), {}};
@@ -152,14 +145,14 @@ bool Labeller::apart_from_hull(Pass& pass, const std::uint32_t node) {
   double clearance = INFINITY;
   for (std::size_t i = 0; i < robot_.body_pieces(); ++i) {
     const pdg::ConvexPiece& a = robot_.pieces[i];
-    double gap = circle_gap(pass.motion, pass.posed.rotation, a, *hull);
+    double gap = circle_gap(pass.motion, pass.posed.rotation(), a, *hull);
     if (gap < pass.motion.margin) {
       fresh_.clear();
       undecided_.clear();
       pdg::all_constraints(a, *hull, fresh_);
       const pdg::PairVerdict verdict =
-          pdg::judge_pair(posed_piece(robot_, pass.posed, i), *hull, pass.motion, fresh_,
-                          undecided_, statistics_.separation_evaluations);
+          pdg::judge_pair(pass.posed.piece(i), *hull, pass.motion, fresh_, undecided_,
+                          statistics_.separation_evaluations);
       if (verdict.label != pdg::PairLabel::kApart) return false;
       gap = verdict.clearance;
     }
@@ -190,7 +183,7 @@ bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
                                  const std::uint16_t robot) {
   const pdg::ConvexPiece& a = robot_.pieces[robot];
   const pdg::ConvexPiece& b = tree_.piece(obstacle);
-  const Vec2 between = between_circles(pass.motion, pass.posed.rotation, a, b);
+  const Vec2 between = between_circles(pass.motion, pass.posed.rotation(), a, b);
   const double gap = circle_gap(pass.motion, between, a, b);
   LabelResult& result = pass.result;
   if (gap >= pass.motion.margin) {
@@ -216,8 +209,8 @@ bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16
                      const std::span<const pdg::Constraint> active) {
   const std::size_t before = pass.out.constraints.size();
   pdg::PairVerdict verdict =
-      pdg::judge_pair(posed_piece(robot_, pass.posed, robot), tree_.piece(obstacle), pass.motion,
-                      active, pass.out.constraints, statistics_.separation_evaluations);
+      pdg::judge_pair(pass.posed.piece(robot), tree_.piece(obstacle), pass.motion, active,
+                      pass.out.constraints, statistics_.separation_evaluations);
   LabelResult& result = pass.result;
   switch (verdict.label) {
     case pdg::PairLabel::kApart:
@@ -254,13 +247,9 @@ bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16
 bool Labeller::culls(const Pass& pass, const std::uint32_t obstacle,
                      const std::uint16_t robot) const {
   if (parts_.query == CullingQuery::kNone) return false;
-  const pdg::PosedPiece a = posed_piece(robot_, pass.posed, robot);
+  const pdg::PosedPiece a = pass.posed.piece(robot);
   const pdg::ConvexPiece& b = tree_.piece(obstacle);
-  Motion centre = pass.motion;
-  centre.g1 = centre.g2 = {};
-  centre.g1_length = centre.g2_length = 0.0;
-  centre.half_angle = centre.sin_half = centre.turn = 0.0;
-  centre.cos_half = 1.0;
+  const Motion centre = pdg::centre_of(pass.motion);
   const double error = pdg::separation_error(*a.piece, b, centre);
   std::vector<pdg::Constraint> all;
   pdg::all_constraints(*a.piece, b, all);

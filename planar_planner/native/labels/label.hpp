@@ -10,7 +10,7 @@
 #include "planar_planner/native/ablation.hpp"
 #include "planar_planner/native/statistics.hpp"
 #include "planar_planner/native/world/obstacle_tree.hpp"
-#include "planar_planner/native/world/robot.hpp"
+#include "planar_planner/native/world/posed_robot.hpp"
 
 namespace planner {
 
@@ -45,11 +45,8 @@ class Labeller {
 
   // Judges the motion against what `parent` left undecided. `out` receives what stays undecided
   // (meaningful for kMixed). `parent` must not alias `out`.
-  LabelResult label(const pdg::Motion& motion, const pdg::PosedRobot& posed,
-                    const ConstraintView& parent, ConstraintList& out);
-
-  // The robot at a rotation; valid until the next call.
-  const pdg::PosedRobot& posed(pdg::Rotation rotation);
+  LabelResult label(const pdg::Motion& motion, PosedRobot& posed, const ConstraintView& parent,
+                    ConstraintList& out);
 
   // Pairs of pieces looked at so far, each counted once.
   [[nodiscard]] std::uint64_t pairs_touched() const { return pairs_touched_; }
@@ -74,7 +71,6 @@ class Labeller {
   ObstacleTree& tree_;
   Statistics& statistics_;
   Parts parts_;
-  pdg::PosedRobot posed_;
   std::vector<pdg::Constraint> fresh_, undecided_;
   std::vector<bool> touched_;  // by obstacle piece: its pairs with all robot pieces
   std::uint64_t pairs_touched_ = 0;

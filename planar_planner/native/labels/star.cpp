@@ -12,7 +12,6 @@ using pdg::ConvexPiece;
 using pdg::EdgeOwner;
 using pdg::Motion;
 using pdg::PosedPiece;
-using pdg::PosedRobot;
 
 namespace {
 
@@ -57,14 +56,13 @@ bool separates_at(const PosedPiece& a, const ConvexPiece& b, const Constraint& c
 
 }  // namespace
 
-bool is_free(const Robot& robot, const ObstacleTree& tree, const PosedRobot& posed, const Vec2 t,
-             const double reach, const ConstraintView& list, const double margin) {
-  Motion here;
-  here.reach = reach;
+bool is_free(const ObstacleTree& tree, PosedRobot& posed, const Vec2 t, const double reach,
+             const ConstraintView& list, const double margin) {
+  const Motion here = pdg::make_motion(t, {}, {}, {}, reach);
   std::size_t at = 0;
   for (const PairHeader& header : list.pairs) {
     if (closed(header)) return false;
-    const PosedPiece a = posed_piece(robot, posed, header.robot);
+    const PosedPiece a = posed.piece(header.robot);
     const ConvexPiece& b = tree.piece(header.obstacle);
     const double error = pdg::separation_error(*a.piece, b, here) + margin;
     bool apart = false;
@@ -76,7 +74,7 @@ bool is_free(const Robot& robot, const ObstacleTree& tree, const PosedRobot& pos
   return true;
 }
 
-std::optional<Vec2> StarTest::find_guard(const Motion& motion, const PosedRobot& posed,
+std::optional<Vec2> StarTest::find_guard(const Motion& motion, PosedRobot& posed,
                                          const ConstraintView& list) {
   // What is closed may be anywhere.
   if (std::any_of(list.pairs.begin(), list.pairs.end(), closed)) return std::nullopt;
@@ -87,7 +85,7 @@ std::optional<Vec2> StarTest::find_guard(const Motion& motion, const PosedRobot&
   guard = (1.0 / static_cast<double>(polygon_.size())) * guard;
   for (const HalfPlane& plane : planes_)
     if (!(dot(plane.normal, guard) > plane.offset)) return std::nullopt;
-  if (!is_free(robot_, tree_, posed, guard, motion.reach, list)) return std::nullopt;
+  if (!is_free(tree_, posed, guard, motion.reach, list)) return std::nullopt;
   return guard;
 }
 
@@ -96,10 +94,10 @@ void StarTest::start_polygon(const Motion& m) {
   polygon_ = {m.t - m.g1 - m.g2, m.t + m.g1 - m.g2, m.t + m.g1 + m.g2, m.t - m.g1 + m.g2};
 }
 
-bool StarTest::collect(const Motion& motion, const PosedRobot& posed, const ConstraintView& list) {
+bool StarTest::collect(const Motion& motion, PosedRobot& posed, const ConstraintView& list) {
   std::size_t at = 0;
   for (const PairHeader& header : list.pairs) {
-    const PosedPiece a = posed_piece(robot_, posed, header.robot);
+    const PosedPiece a = posed.piece(header.robot);
     const ConvexPiece& b = tree_.piece(header.obstacle);
     const double error = pdg::kGuardErrorFactor * pdg::separation_error(*a.piece, b, motion);
     for (std::size_t i = 0; i < header.count; ++i) {

@@ -16,18 +16,18 @@
 #include "constraints.hpp"
 #include "pdg/native/geometry/motion.hpp"
 #include "planar_planner/native/world/obstacle_tree.hpp"
-#include "planar_planner/native/world/robot.hpp"
+#include "planar_planner/native/world/posed_robot.hpp"
 
 namespace planner {
 
 class StarTest {
  public:
-  StarTest(const Robot& robot, const ObstacleTree& tree) : robot_(robot), tree_(tree) {}
+  explicit StarTest(const ObstacleTree& tree) : tree_(tree) {}
 
   // The translation of a guard at the motion's central rotation, if the test finds one: certified
   // free, and seen by every free configuration of the motion. `list` is the motion's own undecided
   // list.
-  std::optional<Vec2> find_guard(const pdg::Motion& motion, const pdg::PosedRobot& posed,
+  std::optional<Vec2> find_guard(const pdg::Motion& motion, PosedRobot& posed,
                                  const ConstraintView& list);
 
  private:
@@ -37,7 +37,7 @@ class StarTest {
     double offset;
   };
 
-  bool collect(const pdg::Motion& motion, const pdg::PosedRobot& posed, const ConstraintView& list);
+  bool collect(const pdg::Motion& motion, PosedRobot& posed, const ConstraintView& list);
   void obstacle_edge(const pdg::Motion& m, const pdg::PosedPiece& a, const pdg::ConvexPiece& b,
                      const pdg::Constraint& c, double error);
   void robot_edge(const pdg::Motion& m, const pdg::PosedPiece& a, const pdg::ConvexPiece& b,
@@ -45,7 +45,6 @@ class StarTest {
   bool add(HalfPlane plane);
   void start_polygon(const pdg::Motion& motion);
 
-  const Robot& robot_;
   const ObstacleTree& tree_;
   std::vector<HalfPlane> planes_;
   std::vector<Vec2> polygon_;  // where the guard may be, clipped as the planes come in
@@ -56,7 +55,7 @@ class StarTest {
 // The configuration (t, central rotation of `posed`) is free: every pair of `list` has an axis that
 // separates it by more than `margin` and the rounding error. Complete for configurations inside the
 // list's cell.
-bool is_free(const Robot& robot, const ObstacleTree& tree, const pdg::PosedRobot& posed, Vec2 t,
-             double reach, const ConstraintView& list, double margin = 0.0);
+bool is_free(const ObstacleTree& tree, PosedRobot& posed, Vec2 t, double reach,
+             const ConstraintView& list, double margin = 0.0);
 
 }  // namespace planner

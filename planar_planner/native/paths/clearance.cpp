@@ -34,7 +34,7 @@ constexpr double kFarHull = 0.1;
 class Probe {
  public:
   Probe(const Problem& problem, ObstacleTree& tree, const Pose& from, const Pose& to)
-      : problem_(problem), tree_(tree), from_(from), to_(to) {}
+      : problem_(problem), tree_(tree), from_(from), to_(to), posed_(problem.robot) {}
 
   // Certified lower bound over the interval, at most `cap`; 0 if the interval turns too far.
   double over(const Interval interval, const double cap) {
@@ -65,11 +65,10 @@ class Probe {
     if (motion.half_angle > 1.0) return 0.0;
     const double s = 0.5 * (interval.begin + interval.end);
     const pdg::Rotation rotation = rotation_at(between(from_, to_, s).theta);
-    pose(problem_.robot, rotation, posed_);
+    posed_.turn_to(rotation);
     double least = cap;
     const auto meet = [&](const pdg::ConvexPiece& obstacle, const std::size_t robot) {
-      least = std::min(least, pair_separation(posed_piece(problem_.robot, posed_, robot), obstacle,
-                                              motion, least, axes_));
+      least = std::min(least, pair_separation(posed_.piece(robot), obstacle, motion, least, axes_));
     };
     visit_nearby_pairs(
         problem_.robot, tree_, motion, rotation, cap,
@@ -91,8 +90,7 @@ class Probe {
     if (hull == nullptr) return -INFINITY;
     double least = INFINITY;
     for (std::size_t i = 0; i < problem_.robot.body_pieces(); ++i)
-      least = std::min(least, pair_separation(posed_piece(problem_.robot, posed_, i), *hull, rest,
-                                              INFINITY, axes_));
+      least = std::min(least, pair_separation(posed_.piece(i), *hull, rest, INFINITY, axes_));
     return least;
   }
 
@@ -112,7 +110,7 @@ class Probe {
   ObstacleTree& tree_;
   Pose from_;
   Pose to_;
-  pdg::PosedRobot posed_;
+  PosedRobot posed_;
   std::vector<pdg::Constraint> axes_;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "edge_runs.hpp"
+#include "pdg/native/geometry/motion.hpp"
 #include "planar_planner/native/configurations/pose.hpp"
 #include "planar_planner/native/world/obstacle_tree.hpp"
 #include "planar_planner/native/world/problem.hpp"

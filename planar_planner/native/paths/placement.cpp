@@ -82,11 +82,12 @@ Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
   const Pose pose = pose_of(problem, q);
   ConstraintList root, rest;
   labeller.root_list(root);
-  pdg::Motion motion;
-  motion.t = pose.t;
-  motion.reach = std::max(problem.domain.reach, pdg::norm(pose.t) * pdg::kRadiusPadding);
+  const pdg::Motion motion = pdg::make_motion(
+      pose.t, {}, {}, {}, std::max(problem.domain.reach, pdg::norm(pose.t) * pdg::kRadiusPadding));
   const pdg::Rotation rotation{std::cos(q.theta), std::sin(q.theta)};
-  const LabelResult result = labeller.label(motion, labeller.posed(rotation), view(root), rest);
+  PosedRobot posed(problem.robot);
+  posed.turn_to(rotation);
+  const LabelResult result = labeller.label(motion, posed, view(root), rest);
   if (result.label == Label::kFree) {
     out.clearance = length_to_user(problem, result.clearance);
     return out;

@@ -23,17 +23,12 @@ Pose between(const Pose& from, const Pose& to, const double s) {
 
 pdg::Motion motion_along(const Problem& problem, const Pose& from, const Pose& to,
                          const Interval i) {
-  pdg::Motion m;
   const double half = 0.5 * (i.end - i.begin);
-  m.t = between(from, to, 0.5 * (i.begin + i.end)).t;
-  m.g1 = half * (to.t - from.t);
-  m.g1_length = pdg::norm(m.g1);
-  m.turn = half * (to.theta - from.theta);
-  m.half_angle = std::abs(m.turn);
-  m.cos_half = std::cos(m.half_angle);
-  m.sin_half = std::sin(m.half_angle);
-  m.reach = std::max(problem.domain.reach,
-                     std::max(pdg::norm(from.t), pdg::norm(to.t)) * pdg::kRadiusPadding);
+  const double reach = std::max(problem.domain.reach,
+                                std::max(pdg::norm(from.t), pdg::norm(to.t)) * pdg::kRadiusPadding);
+  pdg::Motion m =
+      pdg::make_segment_motion(between(from, to, 0.5 * (i.begin + i.end)).t, half * (to.t - from.t),
+                               half * (to.theta - from.theta), reach);
   // theta is rounded once at its own magnitude, here and when the pose was made.
   m.angle_error = pdg::kPoseAngleUnits * pdg::kUnitRoundoff *
                   std::max(std::abs(from.theta), std::abs(to.theta));
@@ -44,8 +39,8 @@ std::optional<double> SegmentTest::clearance(const Pose& pose) {
   ConstraintList root, rest;
   labeller_.root_list(root);
   const pdg::Motion m = motion_along(problem_, pose, pose, {0.0, 1.0});
-  const LabelResult result =
-      labeller_.label(m, labeller_.posed(rotation_at(pose.theta)), view(root), rest);
+  posed_.turn_to(rotation_at(pose.theta));
+  const LabelResult result = labeller_.label(m, posed_, view(root), rest);
   if (result.label != Label::kFree) return std::nullopt;
   return result.clearance;
 }
@@ -68,14 +63,14 @@ bool SegmentTest::certify_interval(const Pose& from, const Pose& to, const Inter
   ConstraintView list = parent;
   if (motion.half_angle <= std::numbers::pi / 2) {
     const Pose centre = between(from, to, middle);
-    const pdg::PosedRobot& posed = labeller_.posed(rotation_at(centre.theta));
-    const LabelResult result = labeller_.label(motion, posed, parent, lists_[depth]);
+    posed_.turn_to(rotation_at(centre.theta));
+    const LabelResult result = labeller_.label(motion, posed_, parent, lists_[depth]);
     if (result.label == Label::kFree) return true;
     if (result.label == Label::kFull) return false;
     list = view(lists_[depth]);
     const bool all_open = std::none_of(list.pairs.begin(), list.pairs.end(), closed);
-    if (all_open && !planner::is_free(labeller_.robot(), labeller_.tree(), posed, motion.t,
-                                      motion.reach, list, margin_))
+    if (all_open &&
+        !planner::is_free(labeller_.tree(), posed_, motion.t, motion.reach, list, margin_))
       return false;
   }
   return certify_interval(from, to, {interval.begin, middle}, list, depth + 1) &&

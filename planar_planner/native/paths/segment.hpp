@@ -28,7 +28,7 @@ inline pdg::Rotation rotation_at(const double theta) {
 class SegmentTest {
  public:
   SegmentTest(const Problem& problem, Labeller& labeller, Statistics& statistics)
-      : problem_(problem), labeller_(labeller), statistics_(statistics) {}
+      : problem_(problem), labeller_(labeller), statistics_(statistics), posed_(problem.robot) {}
 
   // True: every configuration from one pose to the other is free, in exact arithmetic, also for the
   // real poses that these doubles were rounded from. False: collides, or needs too many intervals.
@@ -47,6 +47,7 @@ class SegmentTest {
   const Problem& problem_;
   Labeller& labeller_;
   Statistics& statistics_;
+  PosedRobot posed_;
   std::vector<ConstraintList> lists_;  // one per depth
   int budget_ = 0;
   double margin_ = 0.0;

@@ -113,10 +113,10 @@ bool SeparatingEdges::prove_part(const Interval interval, const std::vector<std:
   const Pose centre = between(from_, to_, middle);
   Part part{motion_along(problem_, from_, to_, interval), {}, {}};
   const pdg::Motion& m = part.motion;
-  pose(problem_.robot, rotation_at(centre.theta), posed_);
+  posed_.turn_to(rotation_at(centre.theta));
   part.whole = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
   for (std::size_t i = 0; i < problem_.robot.body_pieces(); ++i) {
-    const pdg::PosedPiece a = posed_piece(problem_.robot, posed_, i);
+    const pdg::PosedPiece a = posed_.piece(i);
     Box box{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (std::size_t k = 0; k < a.vertices.size(); ++k) {
       const Vec2 v = a.piece->edges[k].vertex;
@@ -150,8 +150,8 @@ bool SeparatingEdges::prove_part(const Interval interval, const std::vector<std:
          prove_part({middle, interval.end}, here, depth + 1);
 }
 
-bool SeparatingEdges::within_walls(const Part& part) const {
-  const pdg::PosedPiece hull = posed_piece(problem_.robot, posed_, problem_.robot.hull());
+bool SeparatingEdges::within_walls(const Part& part) {
+  const pdg::PosedPiece hull = posed_.piece(problem_.robot.hull());
   for (std::uint32_t wall = 0; wall < tree_.wall_count(); ++wall) {
     const double error = separation_error(*hull.piece, tree_.piece(wall), part.motion);
     if (obstacle_edge_least(hull, tree_.piece(wall).edges[0], part.motion) < error) return false;
@@ -170,7 +170,7 @@ bool SeparatingEdges::separate(const Part& part, const std::vector<std::uint32_t
       box.high = {std::max(box.high.x, edge.vertex.x), std::max(box.high.y, edge.vertex.y)};
     }
     for (std::size_t i = 0; i < problem_.robot.body_pieces(); ++i) {
-      const pdg::PosedPiece a = posed_piece(problem_.robot, posed_, i);
+      const pdg::PosedPiece a = posed_.piece(i);
       const double error = separation_error(*a.piece, b, m);
       if (!meet(part.boxes[i].low, part.boxes[i].high, box.low, box.high, error)) continue;
       double best = -INFINITY;

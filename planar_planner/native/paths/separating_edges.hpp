@@ -9,6 +9,7 @@
 #include "pdg/native/separation/separation.hpp"
 #include "planar_planner/native/configurations/pose.hpp"
 #include "planar_planner/native/world/obstacle_tree.hpp"
+#include "planar_planner/native/world/posed_robot.hpp"
 #include "planar_planner/native/world/problem.hpp"
 #include "segment.hpp"
 
@@ -28,7 +29,8 @@ struct ProvenInterval {
 
 class SeparatingEdges {
  public:
-  SeparatingEdges(const Problem& problem, ObstacleTree& tree) : problem_(problem), tree_(tree) {}
+  SeparatingEdges(const Problem& problem, ObstacleTree& tree)
+      : problem_(problem), tree_(tree), posed_(problem.robot) {}
 
   // Parts that follow one another from 0 to 1; empty if the motion is not free, or if it would take
   // too many. Whatever SegmentTest certifies passes: this bound shrinks with the square of the
@@ -44,12 +46,12 @@ class SeparatingEdges {
   void gather(std::uint32_t node, const Box& swept);
   bool prove_part(Interval interval, const std::vector<std::uint32_t>& near, int depth);
   bool separate(const Part& part, const std::vector<std::uint32_t>& near, ProvenInterval& out);
-  bool within_walls(const Part& part) const;
+  bool within_walls(const Part& part);
 
   const Problem& problem_;
   ObstacleTree& tree_;
   Pose from_, to_;
-  pdg::PosedRobot posed_;
+  PosedRobot posed_;
   std::vector<std::uint32_t> gathered_;
   std::vector<ProvenInterval> proven_;
 };

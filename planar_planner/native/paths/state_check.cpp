@@ -17,14 +17,10 @@ double rounding_bound(const double robot_reach, const double obstacle_reach, con
   return pdg::kSeparationErrorUnits * pdg::kUnitRoundoff * (robot_reach + obstacle_reach + t_reach);
 }
 
-// Every configuration whose reference point is in the domain.
+// All translations in the domain, at one angle.
 pdg::Motion anywhere(const Domain& domain) {
-  pdg::Motion motion;
-  motion.t = domain.low + 0.5 * domain.size;
-  motion.g1 = {0.5 * domain.size.x, 0.0};
-  motion.g2 = {0.0, 0.5 * domain.size.y};
-  motion.reach = domain.reach;
-  return motion;
+  const Vec2 half = 0.5 * domain.size;
+  return pdg::make_motion(domain.low + half, {half.x, 0.0}, {0.0, half.y}, {}, domain.reach);
 }
 
 Rectangle user_bounds(const Problem& problem) {

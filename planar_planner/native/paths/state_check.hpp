@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pdg/native/geometry/motion.hpp"
 #include "planar_planner/native/world/problem.hpp"
 #include "planar_planner/native/world/scene.hpp"
 

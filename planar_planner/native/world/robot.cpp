@@ -64,21 +64,4 @@ Robot make_robot(const PolygonSet& polygons, const int exponent, const bool part
   return robot;
 }
 
-void pose(const Robot& robot, const pdg::Rotation rotation, pdg::PosedRobot& out) {
-  out.rotation = rotation;
-  out.vertices.resize(robot.vertex_total);
-  out.normals.resize(robot.vertex_total);
-  out.turned.assign(robot.pieces.size(), 0);
-}
-
-void turn_piece(const Robot& robot, const pdg::PosedRobot& posed, const std::size_t piece) {
-  posed.turned[piece] = 1;
-  std::size_t i = robot.first_vertex[piece];
-  for (const pdg::Edge& edge : robot.pieces[piece].edges) {
-    posed.vertices[i] = pdg::rotate(posed.rotation, edge.vertex);
-    posed.normals[i] = pdg::rotate(posed.rotation, edge.normal);
-    ++i;
-  }
-}
-
 }  // namespace planner

@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "pdg/native/geometry/convex_piece.hpp"
-#include "pdg/native/geometry/motion.hpp"
-#include "pdg/native/separation/separation.hpp"
 #include "scene.hpp"
 
 namespace planner {
@@ -15,7 +13,7 @@ namespace planner {
 struct Robot {
   std::vector<pdg::ConvexPiece> pieces;
   std::vector<std::uint32_t> polygon_of_piece;  // index into the scene's robot polygons; hull: 0
-  std::vector<std::uint32_t> first_vertex;      // of each piece in PosedRobot's arrays, and the end
+  std::vector<std::uint32_t> first_vertex;      // number of vertices before each piece, and in all
   std::size_t vertex_total = 0;
   double reach = 0.0;  // max |a|, rounded up
   double inner_reach =
@@ -28,20 +26,5 @@ struct Robot {
 };
 
 Robot make_robot(const PolygonSet& polygons, int exponent, bool partition = true);
-
-void pose(const Robot& robot, pdg::Rotation rotation, pdg::PosedRobot& out);
-
-void turn_piece(const Robot& robot, const pdg::PosedRobot& posed, std::size_t piece);
-
-inline pdg::PosedPiece posed_piece(const Robot& robot, const pdg::PosedRobot& posed,
-                                   const std::size_t piece) {
-  if (posed.turned[piece] == 0) turn_piece(robot, posed, piece);
-  const std::size_t first = robot.first_vertex[piece];
-  const std::size_t count = robot.first_vertex[piece + 1] - first;
-  return {&robot.pieces[piece],
-          {posed.vertices.data() + first, count},
-          {posed.normals.data() + first, count},
-          pdg::rotate(posed.rotation, robot.pieces[piece].inner_centre)};
-}
 
 }  // namespace planner

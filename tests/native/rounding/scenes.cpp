@@ -23,7 +23,7 @@ bool free_at(World& world, const Point& p) {
   world.labeller.root_list(root);
   const planner::LabelResult result = world.labeller.label(
       planner::motion_of(world.space, here),
-      world.labeller.posed(planner::rotation_of(world.space, here)), planner::view(root), rest);
+      world.posed_at(planner::rotation_of(world.space, here)), planner::view(root), rest);
   return result.label == Label::kFree;
 }
 

@@ -107,6 +107,7 @@ World::World(planner::Scene scene, const double theta)
     : problem(planner::make_problem(std::move(scene))),
       tree(problem.scene.obstacles, problem.frame, problem.walls),
       labeller(problem.robot, tree, statistics),
+      posed(problem.robot),
       space{problem.domain, problem.rotation, theta} {
   const pdg::Frame own = exact::robot_frame(problem.frame);
   std::vector<Vec2> points;
