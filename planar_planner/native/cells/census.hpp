@@ -1,12 +1,19 @@
 // Counts of the leaves, for answers and for who watches a search.
 #pragma once
 
-#include "planar_planner/native/search/query.hpp"
+#include <array>
+#include <cstdint>
+#include <vector>
+
 #include "subdivision.hpp"
 
 namespace planner {
 
-// Leaves by label and level.
-void take_census(const Subdivision& subdivision, Answer& answer);
+struct Census {
+  std::array<std::uint64_t, 4> by_label{};  // indexed by Label
+  std::vector<std::uint64_t> by_level;      // by the sum of the three axes' levels
+};
+
+Census take_census(const Subdivision& subdivision);
 
 }  // namespace planner

@@ -279,7 +279,11 @@ void Planner::complete_answer(Query& query) {
   answer.statistics = statistics_;
   answer.stopped = query.stopped;
   answer.out_of_cells = query.out_of_cells;
-  if (subdivision_) take_census(*subdivision_, answer);
+  if (subdivision_) {
+    Census census = take_census(*subdivision_);
+    answer.cells_by_label = census.by_label;
+    answer.cells_by_level = std::move(census.by_level);
+  }
 }
 
 void Planner::remember(const Query& query, const Configuration& start, const Goal& goal) {

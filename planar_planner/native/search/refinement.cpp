@@ -301,9 +301,7 @@ bool Refinement::stop() {
   if (elapsed >= limits.timeout) return reached("time limit reached");
   if (!query_.listener || elapsed - query_.last_call < kListenerPeriod) return false;
   query_.last_call = elapsed;
-  Answer census;
-  take_census(subdivision_, census);
-  const auto& n = census.cells_by_label;
+  const auto n = take_census(subdivision_).by_label;
   const Progress progress{elapsed,
                           subdivision_.size(),
                           n[0],
