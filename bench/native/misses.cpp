@@ -30,8 +30,9 @@ void open_all(World& world, const Seen& seen, planner::ConstraintList& out) {
 
 bool was_open(World& world, const Seen& seen, const planner::PairHeader& pair) {
   planner::PosedRobot& posed = world.posed_at(rotation_of(world.space, seen.visit.box));
-  world.labeller.label(motion_of(world.space, seen.visit.box), posed, view(*seen.visit.parent),
-                       world.list);
+  world.list =
+      world.labeller.label(motion_of(world.space, seen.visit.box), posed, view(*seen.visit.parent))
+          .undecided;
   for (const planner::PairHeader& header : world.list.pairs)
     if (header.obstacle == pair.obstacle && header.robot == pair.robot) return !closed(header);
   return false;

@@ -74,7 +74,7 @@ bool obstructed_by_single(World& world, const pdg::Motion& motion, planner::Pose
     }
     at += pair.count;
   }
-  return world.joint.obstructs(motion, posed, view(world.chosen));
+  return obstructed(world, motion, posed, world.chosen);
 }
 
 }  // namespace
@@ -84,21 +84,25 @@ World::World(planner::Scene scene, const planner::Parts& parts, const double fix
       tree(problem.scene.obstacles, problem.frame, problem.walls, parts.partition),
       labeller(problem.robot, tree, statistics, parts),
       posed(problem.robot),
-      star(tree),
-      joint(tree),
       space{problem.domain, problem.rotation, fixed_theta} {}
+
+bool obstructed(World& world, const pdg::Motion& motion, planner::PosedRobot& posed,
+                const planner::ConstraintList& list) {
+  planner::gather_terms(world.tree, motion, posed, view(list), world.scratch.terms);
+  return planner::refute(world.scratch.terms, motion, world.scratch.joint).has_value();
+}
 
 bool proves(World& world, const Visit& visit, const Query query) {
   const pdg::Motion motion = motion_of(world.space, visit.box);
   const pdg::Rotation rotation = rotation_of(world.space, visit.box);
   planner::PosedRobot& posed = world.posed_at(rotation);
   if (query == Query::kLabel || query == Query::kSingle || query == Query::kJoint) {
-    const planner::LabelResult result =
-        world.labeller.label(motion, posed, view(*visit.parent), world.list);
+    planner::LabelResult result = world.labeller.label(motion, posed, view(*visit.parent));
+    world.list = std::move(result.undecided);
     if (result.label == Label::kFull) return true;
     if (query == Query::kLabel || result.label != Label::kMixed || result.separation >= 0.0)
       return false;
-    return query == Query::kJoint ? world.joint.obstructs(motion, posed, view(world.list))
+    return query == Query::kJoint ? obstructed(world, motion, posed, world.list)
                                   : obstructed_by_single(world, motion, posed);
   }
   find_near(world, motion, rotation);

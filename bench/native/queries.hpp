@@ -12,9 +12,7 @@
 #include <vector>
 
 #include "planar_planner/native/configurations/dyadic_box.hpp"
-#include "planar_planner/native/labels/joint.hpp"
-#include "planar_planner/native/labels/label.hpp"
-#include "planar_planner/native/labels/star.hpp"
+#include "planar_planner/native/labels/classify.hpp"
 #include "planar_planner/native/world/problem.hpp"
 
 namespace bench {
@@ -42,13 +40,12 @@ struct World {
   planner::Statistics statistics;
   planner::Labeller labeller;
   planner::PosedRobot posed;
-  planner::StarTest star;
-  planner::JointTest joint;
   planner::CellSpace space;
   // Scratch of the queries below.
   std::vector<planner::Witness> near;
   std::vector<pdg::Constraint> all, left;
   planner::ConstraintList list, chosen;
+  planner::Scratch scratch;
 };
 
 // One cell of a walk, and what its parent left undecided.
@@ -56,6 +53,10 @@ struct Visit {
   planner::Extent box;
   std::shared_ptr<const planner::ConstraintList> parent;
 };
+
+// By several pairs of the list together.
+bool obstructed(World& world, const pdg::Motion& motion, planner::PosedRobot& posed,
+                const planner::ConstraintList& list);
 
 bool proves(World& world, const Visit& visit, Query query);
 

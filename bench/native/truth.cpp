@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <queue>
+#include <utility>
 
 namespace bench {
 
@@ -33,7 +34,7 @@ Extent centre_of(const Extent& box) {
 bool free_at_centre(World& world, const Extent& box, const ConstraintList& list) {
   const Extent point = centre_of(box);
   planner::PosedRobot& posed = world.posed_at(rotation_of(world.space, point));
-  return world.labeller.label(motion_of(world.space, point), posed, view(list), world.list).label ==
+  return world.labeller.label(motion_of(world.space, point), posed, view(list)).label ==
          Label::kFree;
 }
 
@@ -64,12 +65,11 @@ Truth refine(World& world, const Extent& box, const ConstraintList& list, const 
       const pdg::Motion motion = motion_of(world.space, half);
       planner::PosedRobot& posed = world.posed_at(rotation_of(world.space, half));
       const auto child = std::make_shared<ConstraintList>();
-      const planner::LabelResult result =
-          world.labeller.label(motion, posed, view(*parent.list), *child);
+      planner::LabelResult result = world.labeller.label(motion, posed, view(*parent.list));
+      *child = std::move(result.undecided);
       if (result.label == Label::kFree) return Truth::kNotAll;
       if (result.label == Label::kFull) continue;
-      if (joint && result.separation < 0.0 && world.joint.obstructs(motion, posed, view(*child)))
-        continue;
+      if (joint && result.separation < 0.0 && obstructed(world, motion, posed, *child)) continue;
       if (free_at_centre(world, half, *child)) return Truth::kNotAll;
       open.push({result.separation, half, child});
     }

@@ -1,6 +1,7 @@
 #include "walk.hpp"
 
 #include <memory>
+#include <utility>
 
 #include "planar_planner/native/cells/face.hpp"
 #include "planar_planner/native/cells/subdivision.hpp"
@@ -33,14 +34,15 @@ Judged judge(World& world, Seen& seen, const Query driver, const WalkLimits& lim
   const pdg::Rotation rotation = rotation_of(world.space, box);
   Judged out;
   out.list = std::make_shared<ConstraintList>();
-  const planner::LabelResult result =
-      world.labeller.label(motion, world.posed_at(rotation), view(*seen.visit.parent), *out.list);
+  planner::LabelResult result =
+      world.labeller.label(motion, world.posed_at(rotation), view(*seen.visit.parent));
   out.label = result.label;
+  *out.list = std::move(result.undecided);
   for (std::size_t q = 0; q < kQueries; ++q)
     if (limits.truth || static_cast<Query>(q) == driver)
       seen.culled[q] = proves(world, seen.visit, static_cast<Query>(q));
   if (out.label == Label::kMixed &&
-      world.star.find_guard(motion, world.posed_at(rotation), view(*out.list)))
+      find_guard(world.tree, motion, world.posed_at(rotation), view(*out.list), world.scratch.star))
     out.label = Label::kStar;
   if (seen.inherited || out.label == Label::kFull)
     seen.truth = Truth::kObstacle;

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "planar_planner/native/labels/joint.hpp"
+#include "planar_planner/native/labels/classify.hpp"
 #include "planar_planner/native/labels/star.hpp"
 #include "planner_worlds.hpp"
 
@@ -66,10 +66,14 @@ Claims claims_of(World& world, const Shape& shape, const double scale) {
   world.labeller.root_list(root);
   const pdg::Motion m = motion_of(world, shape, scale);
   planner::PosedRobot& posed = world.posed_at({std::cos(shape.theta), std::sin(shape.theta)});
-  out.label = world.labeller.label(m, posed, planner::view(root), out.list).label;
+  planner::LabelResult result = world.labeller.label(m, posed, planner::view(root));
+  out.label = result.label;
+  out.list = std::move(result.undecided);
   if (out.label != Label::kMixed) return out;
-  out.joint = planner::JointTest(world.tree).obstructs(m, posed, planner::view(out.list));
-  out.guard = planner::StarTest(world.tree).find_guard(m, posed, planner::view(out.list));
+  planner::Scratch scratch;
+  planner::gather_terms(world.tree, m, posed, planner::view(out.list), scratch.terms);
+  out.joint = planner::refute(scratch.terms, m, scratch.joint).has_value();
+  out.guard = planner::find_guard(world.tree, m, posed, planner::view(out.list), scratch.star);
   return out;
 }
 

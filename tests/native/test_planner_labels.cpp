@@ -1,7 +1,7 @@
 // FREE and FULL against long-double separations inside the closed cell, sought by pattern search.
 #include <gtest/gtest.h>
 
-#include "planar_planner/native/labels/joint.hpp"
+#include "planar_planner/native/labels/classify.hpp"
 #include "planner_worlds.hpp"
 
 namespace {
@@ -23,10 +23,11 @@ struct Judged {
 
 Judged judge(World& world, const Extent& extent, const planner::ConstraintView& parent) {
   Judged out;
-  const planner::LabelResult result = world.labeller.label(
-      planner::motion_of(world.space, extent),
-      world.posed_at(planner::rotation_of(world.space, extent)), parent, out.rest);
+  planner::LabelResult result =
+      world.labeller.label(planner::motion_of(world.space, extent),
+                           world.posed_at(planner::rotation_of(world.space, extent)), parent);
   out.label = result.label;
+  out.rest = std::move(result.undecided);
   out.witness = result.witness;
   out.clearance = result.clearance;
   return out;

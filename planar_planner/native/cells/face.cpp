@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace planner {
 
@@ -11,6 +12,10 @@ namespace {
 // cells is split instead. Larger values trade cells for face tests.
 constexpr int kFaceDepth = 10;
 constexpr int kFaceBudget = 48;
+
+// Most faces between solid cells have a guard, so that is asked first; only the rest are asked for
+// joint obstruction, all of them, since a face that is left undecided costs a cell.
+constexpr Questions kFaceQuestions{.star_first = true, .joint_if_centre_looks_free = true};
 
 std::uint64_t middle(const std::uint64_t low, const std::uint64_t size) {
   return low + size / 2;
@@ -92,28 +97,26 @@ Link FaceTest::label_face(const Extent& face, const ConstraintView& parent, cons
   const CellSpace& space = subdivision_.space();
   const pdg::Motion motion = motion_of(space, face);
   posed_.turn_to(rotation_of(space, face));
-  ConstraintList list;
-  const LabelResult result = labeller_.label(motion, posed_, parent, list);
+  Classification found = classify(labeller_, motion, posed_, parent, kFaceQuestions, scratch_);
   const std::uint64_t turns = middle(face.low[kTheta], face.size[kTheta]);
-  if (result.label == Label::kFull) {
-    blocked_.push_back({face, kNoAxis, false, result.witness, {}});
+  if (found.label == Label::kFree) return {LinkState::kOpen, {motion.t, turns}};
+  if (found.label == Label::kStar) return {LinkState::kOpen, {found.guard, turns}};
+  if (found.label == Label::kFull) {
+    FullClaim& claim = blocked_.emplace_back();
+    claim.box = face;
+    claim.joint = found.joint.has_value();
+    claim.witness = found.witness;
+    if (found.joint) claim.proof = std::move(*found.joint);
     return {LinkState::kBlocked, {}};
   }
-  if (result.label == Label::kFree) return {LinkState::kOpen, {motion.t, turns}};
-  if (const auto guard = star_.find_guard(motion, posed_, view(list)))
-    return {LinkState::kOpen, {*guard, turns}};
-  if (labeller_.parts().joint && joint_.obstructs(motion, posed_, view(list))) {
-    blocked_.push_back({face, kNoAxis, true, {}, joint_.proof(view(list))});
-    return {LinkState::kBlocked, {}};
-  }
-  const Axis axis = widest_axis(motion, result.turning_radius, face);
+  const Axis axis = widest_axis(motion, found.turning_radius, face);
   if (depth == 0 || budget <= 0 || axis == kNoAxis) return {};
   LinkState state = LinkState::kBlocked;
   for (const int half : {0, 1}) {
     Extent part = face;
     part.size[axis] /= 2;
     if (half == 1) part.low[axis] += part.size[axis];
-    const Link link = label_face(part, view(list), depth - 1, budget);
+    const Link link = label_face(part, view(found.undecided), depth - 1, budget);
     if (link.state == LinkState::kOpen) return link;
     if (link.state == LinkState::kDoubtful) state = LinkState::kDoubtful;
   }

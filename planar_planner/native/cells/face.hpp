@@ -1,5 +1,5 @@
-// Links between adjacent solid cells (design: "Faces and connectors"). A face is a cell with one
-// half-extent zero; the same labelling decides it, recursively.
+// Links between adjacent solid cells (docs/method.md, "Links"). A face is a cell
+// with one half-extent zero; the same classification decides it, recursively.
 #pragma once
 
 #include <cstdint>
@@ -34,9 +34,7 @@ class FaceTest {
       : subdivision_(subdivision),
         labeller_(labeller),
         statistics_(statistics),
-        posed_(labeller.robot()),
-        star_(labeller.tree()),
-        joint_(labeller.tree()) {}
+        posed_(labeller.robot()) {}
 
   // Both cells are solid leaves that share a face. Open links are remembered.
   Link test(CellId a, CellId b);
@@ -55,8 +53,7 @@ class FaceTest {
   Labeller& labeller_;
   Statistics& statistics_;
   PosedRobot posed_;
-  StarTest star_;
-  JointTest joint_;
+  Scratch scratch_;
   std::unordered_map<std::uint64_t, Connector> open_;
   std::vector<FullClaim> blocked_;
 };

@@ -10,10 +10,6 @@ namespace planner {
 
 namespace {
 
-double motion_radius(const pdg::Motion& m, const double turning_radius) {
-  return pdg::norm({m.g1.x, m.g2.y}) + turning_radius * m.half_angle;
-}
-
 // From the back: what is split is mostly what was added last, also in the long lists of large
 // cells.
 CellId* find_last(std::vector<CellId>& list, const CellId value) {
@@ -34,9 +30,12 @@ void erase_value(std::vector<CellId>& list, const CellId value) {
 constexpr double kComparable = 0.5;
 
 // Cells whose motion radius is below this part of the robot's reach are asked which axis settles
-// them (settling_sway). Larger: fewer cells yet, at more time a cell; 0.2 costs the shipped scenes
-// no time. Measured; any value is sound.
+// them. Larger: fewer cells yet, at more time a cell; 0.2 costs the shipped scenes no time.
+// Measured; any value is sound.
 constexpr double kAskBelow = 0.2;
+
+// More cells are FULL by several pairs than STAR, and one whose centre looks free is not FULL.
+constexpr Questions kCellQuestions{.settle_below = kAskBelow};
 
 // How often the cell has been halved along single axes beyond its motion radius: the sum of
 // log2(radius / width).
@@ -45,6 +44,19 @@ double thinness(const std::array<double, 3>& widths, const double radius) {
   for (const double width : widths)
     if (width > 0.0) sum += std::log2(radius / width);
   return sum;
+}
+
+// The sway along those axes only, if there are any, along which halving settles the cell.
+pdg::Sway settling_sway(const CellBox& box, const Classification& found) {
+  const std::array<double, 3> sways{found.sway.g1, found.sway.g2, found.sway.turn};
+  std::array<double, 3> out{};
+  bool any = false;
+  for (Axis k = 0; k < kNoAxis; ++k) {
+    const bool settles = box.level[k] < kMaxLevel && found.settles[k];
+    out[k] = settles ? sways[k] : -1.0;
+    any = any || settles;
+  }
+  return any ? pdg::Sway{out[0], out[1], out[2]} : found.sway;
 }
 
 struct Touched {
@@ -59,21 +71,16 @@ Touched touched_halves(const Halves& halves, const CellBox& neighbour, const Axi
   const std::uint64_t high = halves.upper.high(axis);
   const std::uint64_t begin = neighbour.low[axis];
   const std::uint64_t end = neighbour.high(axis);
-  if (begin < high && low < end) return {begin<middle, end> middle};
+  if (begin < high && low < end) return {.lower = begin<middle, .upper = end> middle};
   // The face is an end of the split axis; theta wraps.
   const bool at_low = end == low || (axis == kTheta && low == 0 && end == kUnit);
-  return {at_low, !at_low};
+  return {.lower = at_low, .upper = !at_low};
 }
 
 }  // namespace
 
 Subdivision::Subdivision(const CellSpace& space, Labeller& labeller, Statistics& statistics)
-    : space_(space),
-      labeller_(labeller),
-      statistics_(statistics),
-      posed_(labeller.robot()),
-      star_(labeller.tree()),
-      joint_(labeller.tree()) {
+    : space_(space), labeller_(labeller), statistics_(statistics), posed_(labeller.robot()) {
   ConstraintList root;
   labeller_.root_list(root);
   for (std::uint64_t i = 0; i < (std::uint64_t{1} << root_level()); ++i) {
@@ -182,29 +189,6 @@ Axis Subdivision::best_axis(const CellBox& box, const pdg::Sway& sway,
   return best;
 }
 
-// The sway along those axes only, if there are any, along which halving often enough settles the
-// cell: made flat along such an axis it would be FULL or STAR. `child_list_` is the cell's own.
-pdg::Sway Subdivision::settling_sway(const CellBox& box, const pdg::Motion& motion,
-                                     PosedRobot& posed, const LabelResult& result) {
-  const std::array<pdg::Motion, 3> flat{flattened(motion, pdg::MotionPart::kG1),
-                                        flattened(motion, pdg::MotionPart::kG2),
-                                        flattened(motion, pdg::MotionPart::kTurn)};
-  const Parts& parts = labeller_.parts();
-  const auto settled = [&](const pdg::Motion& m) {
-    const bool full = parts.joint && result.separation < 0.0 && joint_.obstructs(m);
-    return full || (parts.star && star_.find_guard(m, posed, view(child_list_)).has_value());
-  };
-  const std::array<double, 3> sways{result.sway.g1, result.sway.g2, result.sway.turn};
-  std::array<double, 3> out{};
-  bool any = false;
-  for (Axis k = 0; k < (space_.rotation ? 3U : 2U); ++k) {
-    const bool settles = box.level[k] < kMaxLevel && settled(flat[k]);
-    out[k] = settles ? sways[k] : -1.0;
-    any = any || settles;
-  }
-  return any ? pdg::Sway{out[0], out[1], out[2]} : result.sway;
-}
-
 bool Subdivision::divisible(const CellId id, const double resolution) const {
   const Cell& cell = cells_[id];
   const bool open = cell.label == Label::kMixed || cell.label == Label::kStar;
@@ -212,53 +196,53 @@ bool Subdivision::divisible(const CellId id, const double resolution) const {
          static_cast<double>(cell.split_width) > resolution;
 }
 
-Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
+void Subdivision::count(const Classification& found) {
   ++statistics_.labelled_cells;
+  if (found.label == Label::kFull && found.joint) ++statistics_.joint_cells;
+  const bool star_asked = found.label == Label::kStar || found.label == Label::kMixed;
+  if (star_asked && labeller_.parts().star) ++statistics_.star_tests;
+}
+
+// Moves what stands behind the label to where it is kept.
+void Subdivision::keep(Classification& found, Cell& cell) {
+  if (found.label == Label::kFull && found.joint) {
+    cell.joint = true;
+    cell.proof = static_cast<std::uint32_t>(proofs_.size());
+    proofs_.push_back(std::move(*found.joint));
+    proof_bytes_ += proofs_.back().bytes();
+    return;
+  }
+  if (found.label == Label::kFull) cell.witness = found.witness;
+  if (found.label == Label::kStar) {
+    cell.guard = static_cast<std::uint32_t>(guards_.size());
+    grow(guards_);
+    guards_.push_back(found.guard);
+  }
+  if (found.label == Label::kStar || found.label == Label::kMixed)
+    cell.list = store_.store(found.undecided);
+}
+
+Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
   const Extent extent = extent_of(box);
   const pdg::Motion motion = motion_of(space_, extent);
   posed_.turn_to(rotation_of(space_, extent));
-  const LabelResult result = labeller_.label(motion, posed_, parent, child_list_);
-
+  Classification found = classify(labeller_, motion, posed_, parent, kCellQuestions, scratch_);
+  count(found);
   Cell cell;
   cell.box = box;
-  cell.label = result.label;
-  const double radius = motion_radius(motion, result.turning_radius);
-  const double relative = radius / labeller_.robot().reach;
-  if (result.label == Label::kMixed) {
-    // A cell whose centre looks free is not FULL; the rest is worth both tests.
-    const Parts& parts = labeller_.parts();
-    if (parts.joint && result.separation < 0.0 &&
-        joint_.obstructs(motion, posed_, view(child_list_))) {
-      cell.label = Label::kFull;
-      cell.joint = true;
-      cell.proof = static_cast<std::uint32_t>(proofs_.size());
-      proofs_.push_back(joint_.proof(view(child_list_)));
-      proof_bytes_ += proofs_.back().bytes();
-      ++statistics_.joint_cells;
-    } else if (!parts.star) {
-      // left MIXED
-    } else if (++statistics_.star_tests;
-               const auto guard = star_.find_guard(motion, posed_, view(child_list_))) {
-      cell.label = Label::kStar;
-      cell.guard = static_cast<std::uint32_t>(guards_.size());
-      grow(guards_);
-      guards_.push_back(*guard);
-    }
-  }
-  if (cell.label == Label::kFull && !cell.joint)
-    cell.witness = result.witness;
-  else if (cell.label == Label::kMixed || cell.label == Label::kStar)
-    cell.list = store_.store(child_list_);
+  cell.label = found.label;
+  keep(found, cell);
+  scratch_.room = std::move(found.undecided);
   const std::array<double, 3> widths{motion.g1_length, motion.g2_length,
-                                     result.turning_radius * motion.half_angle};
-  const bool ask = cell.label == Label::kMixed && relative < kAskBelow;
-  const pdg::Sway sway = ask ? settling_sway(box, motion, posed_, result) : result.sway;
-  const Axis axis = best_axis(box, sway, widths);
+                                     found.turning_radius * motion.half_angle};
+  const Axis axis = best_axis(box, settling_sway(box, found), widths);
+  const double radius = found.motion_radius;
+  const double relative = radius / labeller_.robot().reach;
   cell.split_axis = static_cast<std::uint8_t>(axis);
   cell.split_width = axis == kNoAxis ? 0.0F : static_cast<float>(widths[axis]);
   cell.size = static_cast<float>(relative);
   cell.cost = static_cast<float>(
-      crossing_cost(cell.label, relative, result.separation / radius, thinness(widths, radius)));
+      crossing_cost(cell.label, relative, found.separation / radius, thinness(widths, radius)));
   return cell;
 }
 

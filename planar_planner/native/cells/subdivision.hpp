@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "planar_planner/native/configurations/dyadic_box.hpp"
+#include "planar_planner/native/labels/classify.hpp"
 #include "planar_planner/native/labels/constraints.hpp"
-#include "planar_planner/native/labels/joint.hpp"
+#include "planar_planner/native/labels/full_claim.hpp"
 #include "planar_planner/native/labels/label.hpp"
-#include "planar_planner/native/labels/star.hpp"
 #include "planar_planner/native/statistics.hpp"
 
 namespace planner {
@@ -112,8 +112,8 @@ class Subdivision {
                     const std::array<std::uint64_t, 3>& point, std::uint64_t slack,
                     std::vector<CellId>& out) const;
 
-  pdg::Sway settling_sway(const CellBox& box, const pdg::Motion& motion, PosedRobot& posed,
-                          const LabelResult& result);
+  void count(const Classification& found);
+  void keep(Classification& found, Cell& cell);
   Cell make_cell(const CellBox& box, const ConstraintView& parent);
   void adopt_neighbours(CellId lower, CellId upper, const Halves& halves, Axis axis,
                         const std::vector<CellId>& old);
@@ -127,15 +127,14 @@ class Subdivision {
   Labeller& labeller_;
   Statistics& statistics_;
   PosedRobot posed_;
-  StarTest star_;
-  JointTest joint_;
+  Scratch scratch_;
   std::vector<Cell> cells_;
   std::vector<Branch> branches_;
   std::vector<std::uint32_t> roots_;  // leaves (kLeaf set) or branches
   std::vector<Vec2> guards_;
   std::vector<JointProof> proofs_;
   ConstraintStore store_;
-  ConstraintList parent_list_, child_list_;
+  ConstraintList parent_list_;
   std::vector<CellId> below_, above_;
   std::size_t neighbour_bytes_ = 0;
   std::size_t proof_bytes_ = 0;

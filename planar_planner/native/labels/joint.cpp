@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pdg/native/separation/separation.hpp"
 
@@ -12,178 +13,18 @@ using pdg::ConvexPiece;
 using pdg::EdgeOwner;
 using pdg::Motion;
 using pdg::PosedPiece;
+using Term = JointTerms::Term;
+using Choice = JointTerms::Choice;
 
 namespace {
-
-// Choices are tried for at most so many pairs, and at most so many in all. More prove hardly more
-// cells (docs/method.md) and cost time on those that they do not prove.
-constexpr std::size_t kBranchingPairs = 2;
-constexpr std::size_t kCases = 9;
 
 // Bound of |(R(delta) M - M) . e| for |M| = 1: 2 sin(h / 2) |e| <= h (|g1| + |g2|).
 double unit_bend(const Motion& m) {
   return m.half_angle * (m.g1_length + m.g2_length);
 }
 
-}  // namespace
-
-std::size_t JointProof::bytes() const {
-  std::size_t sum = sizeof(JointProof);
-  for (const PairAxes& pair : pairs)
-    sum += sizeof(pair) + pair.axes.capacity() * sizeof(PairAxes::Axis);
-  for (const JointSum& terms : sums) {
-    sum += sizeof(JointSum) + terms.capacity() * sizeof(JointTerm);
-  }
-  return sum;
-}
-
-void JointTest::look_at(const Motion& motion, PosedRobot& posed, const ConstraintView& list) {
-  terms_.clear();
-  several_.clear();
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < list.pairs.size(); ++i) {
-    const PairHeader& pair = list.pairs[i];
-    if (pair.count == 1) add_terms(motion, posed, pair, list.constraints[at]);
-    if (pair.count > 1) several_.push_back({i, at});
-    at += pair.count;
-  }
-  fixed_ = terms_.size();
-  choose_branches(list);
-  ranges_.clear();
-  for (const Place& place : several_)
-    for (const Constraint& c :
-         list.constraints.subspan(place.first, list.pairs[place.pair].count)) {
-      const std::size_t before = terms_.size();
-      add_terms(motion, posed, list.pairs[place.pair], c);
-      ranges_.push_back({before, terms_.size()});
-    }
-}
-
-// The few pairs with the fewest axes.
-void JointTest::choose_branches(const ConstraintView& list) {
-  const auto choices = [&](const Place& place) {
-    return std::size_t{list.pairs[place.pair].count};
-  };
-  const std::size_t most = std::min(several_.size(), kBranchingPairs);
-  std::partial_sort(several_.begin(), several_.begin() + static_cast<std::ptrdiff_t>(most),
-                    several_.end(), [&](const Place& a, const Place& b) {
-                      return std::pair{choices(a), a.pair} < std::pair{choices(b), b.pair};
-                    });
-  cases_ = 1;
-  std::size_t branching = 0;
-  while (branching < most && cases_ * choices(several_[branching]) <= kCases)
-    cases_ *= choices(several_[branching++]);
-  several_.resize(branching);
-  for (Place& place : several_) place.choices = choices(place);
-}
-
-bool JointTest::obstructs(const Motion& motion) {
-  noted_.clear();
-  ends_.clear();
-  program_.clear();
-  weighed_.clear();
-  weigh(motion, {0, fixed_});
-  if (refute(motion)) return true;
-  if (several_.empty()) return false;
-  // Every choice of one axis for each of a few pairs, together with the pairs that have no choice.
-  program_.remember();
-  for (std::size_t number = 0; number < cases_; ++number) {
-    weighed_.resize(fixed_);
-    program_.keep(fixed_);
-    program_.recall();
-    std::size_t rest = number;
-    std::size_t first = 0;
-    for (const Place& place : several_) {
-      weigh(motion, ranges_[first + rest % place.choices]);
-      rest /= place.choices;
-      first += place.choices;
-    }
-    if (!refute(motion)) return false;
-  }
-  return true;
-}
-
-// Makes terms part of the programme.
-void JointTest::weigh(const Motion& m, const TermRange range) {
-  for (std::size_t k = range.begin; k < range.end; ++k) {
-    const Term& t = terms_[k];
-    const double curvature = t.v < 0.0 ? -t.v * (1.0 - m.cos_half) : 0.0;
-    program_.add({{dot(t.normal, m.g1), dot(t.normal, m.g2), t.w * m.half_angle},
-                  t.value + t.v + curvature + t.error});
-    weighed_.push_back(k);
-  }
-}
-
-void JointTest::add_terms(const Motion& motion, PosedRobot& posed, const PairHeader& pair,
-                          const Constraint& c) {
-  const PosedPiece a = posed.piece(pair.robot);
-  const ConvexPiece& b = tree_.piece(pair.obstacle);
-  const double error = pdg::separation_error(*a.piece, b, motion);
-  const std::size_t ring = c.owner == EdgeOwner::kObstacle ? a.vertices.size() : b.edges.size();
-  for (std::size_t i = 0; i < c.count; ++i)
-    add_term(motion, a, b,
-             {pair.obstacle, pair.robot, c.edge, static_cast<std::uint16_t>((c.first + i) % ring),
-              c.owner, 0.0},
-             error);
-}
-
-// Robot edges' second-order terms cancel between them as well: first without any, then with all.
-bool JointTest::refute(const Motion& motion) {
-  if (weighed_.size() < 2 || !program_.solve()) return false;  // nor with bends, which only add
-  if (proves(motion, program_.weights())) return true;
-  // What more functions are added to starts from scratch: these weights would be found again.
-  program_.forget();
-  const auto turning = [&](const std::size_t k) {
-    const Vec2 n = terms_[k].turning;
-    return n.x != 0.0 || n.y != 0.0;
-  };
-  if (std::none_of(weighed_.begin(), weighed_.end(), turning)) return false;
-  bent_.clear();
-  for (std::size_t i = 0; i < weighed_.size(); ++i) {
-    WeightProgram::Function function = program_.function(i);
-    if (turning(weighed_[i])) function.constant += unit_bend(motion);
-    bent_.add(function);
-  }
-  return bent_.solve() && proves(motion, bent_.weights());
-}
-
-void JointTest::note_sum(const WeightProgram::Weights& weights) {
-  for (std::size_t i = 0; i < weights.count; ++i) {
-    noted_.push_back(terms_[weighed_[weights.items[i].function]].source);
-    noted_.back().weight = weights.items[i].value;
-  }
-  ends_.push_back(noted_.size());
-}
-
-// The pairs with a choice, and the one active axis of each pair that had none.
-JointProof JointTest::proof(const ConstraintView& list) const {
-  JointProof proof;
-  if (ends_.size() > 1)
-    for (const Place& place : several_) {
-      const PairHeader& pair = list.pairs[place.pair];
-      PairAxes& axes = proof.pairs.emplace_back(PairAxes{pair.obstacle, pair.robot, {}});
-      for (const Constraint& c : list.constraints.subspan(place.first, pair.count))
-        axes.axes.push_back({c.owner, c.edge});
-    }
-  for (const JointTerm& term : noted_) {
-    const bool known =
-        std::any_of(proof.pairs.begin(), proof.pairs.end(), [&](const PairAxes& pair) {
-          return pair.obstacle == term.obstacle && pair.robot == term.robot;
-        });
-    if (!known) proof.pairs.push_back({term.obstacle, term.robot, {{term.owner, term.edge}}});
-  }
-  std::size_t from = 0;
-  for (const std::size_t end : ends_) {
-    const auto begin = noted_.begin();
-    proof.sums.emplace_back(begin + static_cast<std::ptrdiff_t>(from),
-                            begin + static_cast<std::ptrdiff_t>(end));
-    from = end;
-  }
-  return proof;
-}
-
-void JointTest::add_term(const Motion& m, const PosedPiece& a, const ConvexPiece& b,
-                         const JointTerm& source, const double error) {
+Term make_term(const Motion& m, const PosedPiece& a, const ConvexPiece& b, const JointTerm& source,
+               const double error) {
   Term term{};
   term.error = error;
   term.source = source;
@@ -203,18 +44,61 @@ void JointTest::add_term(const Motion& m, const PosedPiece& a, const ConvexPiece
     term.value = -a.piece->edges[source.edge].offset;
     term.turning = n;
   }
-  terms_.push_back(term);
+  return term;
 }
 
-// The bound itself, for the weights found, whatever the linear programme's rounding did to them:
-// every non-negative set of weights proves what it proves.
-bool JointTest::proves(const Motion& m, const WeightProgram::Weights& weights) {
+// One term for each vertex that can be the minimiser.
+void add_terms(const ObstacleTree& tree, const Motion& motion, PosedRobot& posed,
+               const PairHeader& pair, const Constraint& c, std::vector<Term>& out) {
+  const PosedPiece a = posed.piece(pair.robot);
+  const ConvexPiece& b = tree.piece(pair.obstacle);
+  const double error = pdg::separation_error(*a.piece, b, motion);
+  const std::size_t ring = c.owner == EdgeOwner::kObstacle ? a.vertices.size() : b.edges.size();
+  for (std::size_t i = 0; i < c.count; ++i)
+    out.push_back(make_term(motion, a, b,
+                            {pair.obstacle, pair.robot, c.edge,
+                             static_cast<std::uint16_t>((c.first + i) % ring), c.owner, 0.0},
+                            error));
+}
+
+// Keeps the few choices with the fewest axes.
+void limit_choices(JointTerms& terms) {
+  std::vector<Choice>& choices = terms.choices;
+  const std::size_t most = std::min(choices.size(), kBranchingPairs);
+  std::partial_sort(choices.begin(), choices.begin() + static_cast<std::ptrdiff_t>(most),
+                    choices.end(), [](const Choice& a, const Choice& b) {
+                      return std::pair{a.axes, a.pair} < std::pair{b.axes, b.pair};
+                    });
+  terms.cases = 1;
+  std::size_t kept = 0;
+  while (kept < most && terms.cases * choices[kept].axes <= kMostCases)
+    terms.cases *= choices[kept++].axes;
+  choices.resize(kept);
+}
+
+// Makes terms part of the programme.
+void weigh(const JointTerms& terms, const Motion& m, const JointTerms::Range range,
+           JointScratch& scratch) {
+  for (std::size_t k = range.begin; k < range.end; ++k) {
+    const Term& t = terms.terms[k];
+    const double curvature = t.v < 0.0 ? -t.v * (1.0 - m.cos_half) : 0.0;
+    scratch.program.add({{dot(t.normal, m.g1), dot(t.normal, m.g2), t.w * m.half_angle},
+                         t.value + t.v + curvature + t.error});
+    scratch.weighed.push_back(k);
+  }
+}
+
+// Is the weighted sum negative in the whole motion? This is the bound itself, for the weights
+// found, whatever the linear programme's rounding did to them: every non-negative set of weights
+// proves what it proves.
+bool proves(const std::vector<Term>& terms, const Motion& m,
+            const WeightProgram::Weights& weights) {
   Term sum{};
   double total = 0.0;
   double largest = 0.0;
   for (std::size_t i = 0; i < weights.count; ++i) {
     const double weight = weights.items[i].value;
-    const Term& t = terms_[weighed_[weights.items[i].function]];
+    const Term& t = terms[weights.items[i].function];
     sum.normal = sum.normal + weight * t.normal;
     sum.v += weight * t.v;
     sum.w += weight * t.w;
@@ -227,9 +111,139 @@ bool JointTest::proves(const Motion& m, const WeightProgram::Weights& weights) {
   // |(R(delta) - 1) sum of M_k . e|: what cancels between the robot's edges stays cancelled.
   const double bend = pdg::norm(sum.turning) * unit_bend(m);
   const double bound = pdg::sinusoid_range(sum.v, sum.w, m).hi + sum.value + bend + extent;
-  if (!(bound < -pdg::kJointErrorFactor * largest * total)) return false;
-  note_sum(weights);
-  return true;
+  return bound < -pdg::kJointErrorFactor * largest * total;
+}
+
+// The programme's weights as weights of the terms that it was made of.
+WeightProgram::Weights of_terms(WeightProgram::Weights weights,
+                                const std::vector<std::size_t>& weighed) {
+  for (std::size_t i = 0; i < weights.count; ++i)
+    weights.items[i].function = weighed[weights.items[i].function];
+  return weights;
+}
+
+// Weights of terms that prove, if the programme finds any. Second-order terms of robot edges cancel
+// between them as well: it is solved first without any of them, then with all.
+std::optional<WeightProgram::Weights> refute_case(const JointTerms& terms, const Motion& motion,
+                                                  JointScratch& scratch) {
+  const std::vector<std::size_t>& weighed = scratch.weighed;
+  if (weighed.size() < 2) return std::nullopt;
+  const auto straight = scratch.program.solve();
+  if (!straight) return std::nullopt;  // nor would it be with bends, which only add
+  const WeightProgram::Weights weights = of_terms(*straight, weighed);
+  if (proves(terms.terms, motion, weights)) return weights;
+  // These weights do not prove. More functions are added next; from this basis the programme would
+  // find the same weights again, so it starts anew.
+  scratch.program.forget();
+  const auto turning = [&](const std::size_t k) {
+    const Vec2 n = terms.terms[k].turning;
+    return n.x != 0.0 || n.y != 0.0;
+  };
+  if (std::none_of(weighed.begin(), weighed.end(), turning)) return std::nullopt;
+  scratch.bent.clear();
+  for (std::size_t i = 0; i < weighed.size(); ++i) {
+    WeightProgram::Function function = scratch.program.function(i);
+    if (turning(weighed[i])) function.constant += unit_bend(motion);
+    scratch.bent.add(function);
+  }
+  const auto bent = scratch.bent.solve();
+  if (!bent) return std::nullopt;
+  const WeightProgram::Weights bent_weights = of_terms(*bent, weighed);
+  return proves(terms.terms, motion, bent_weights) ? std::optional(bent_weights) : std::nullopt;
+}
+
+}  // namespace
+
+std::size_t JointProof::bytes() const {
+  std::size_t sum = sizeof(JointProof);
+  for (const PairAxes& pair : pairs)
+    sum += sizeof(pair) + pair.axes.capacity() * sizeof(PairAxes::Axis);
+  for (const JointSum& terms : sums) {
+    sum += sizeof(JointSum) + terms.capacity() * sizeof(JointTerm);
+  }
+  return sum;
+}
+
+void gather_terms(const ObstacleTree& tree, const Motion& motion, PosedRobot& posed,
+                  const ConstraintView& list, JointTerms& out) {
+  out.terms.clear();
+  out.choices.clear();
+  out.ranges.clear();
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < list.pairs.size(); ++i) {
+    const PairHeader& pair = list.pairs[i];
+    if (pair.count == 1) add_terms(tree, motion, posed, pair, list.constraints[at], out.terms);
+    if (pair.count > 1) out.choices.push_back({i, at, pair.count});
+    at += pair.count;
+  }
+  out.fixed = out.terms.size();
+  limit_choices(out);
+  for (const Choice& choice : out.choices)
+    for (const Constraint& c : list.constraints.subspan(choice.first, choice.axes)) {
+      const std::size_t before = out.terms.size();
+      add_terms(tree, motion, posed, list.pairs[choice.pair], c, out.terms);
+      out.ranges.push_back({before, out.terms.size()});
+    }
+}
+
+std::optional<Refutation> refute(const JointTerms& terms, const Motion& motion,
+                                 JointScratch& scratch) {
+  scratch.program.clear();
+  scratch.weighed.clear();
+  weigh(terms, motion, {0, terms.fixed}, scratch);
+  if (const auto weights = refute_case(terms, motion, scratch))
+    return Refutation{.sums = {*weights}, .count = 1};
+  if (terms.choices.empty()) return std::nullopt;
+  std::optional<Refutation> out(std::in_place);
+  // Every choice of one axis for each of a few pairs, together with the pairs that have no choice.
+  scratch.program.remember();
+  for (std::size_t number = 0; number < terms.cases; ++number) {
+    scratch.weighed.resize(terms.fixed);
+    scratch.program.keep(terms.fixed);
+    scratch.program.recall();
+    std::size_t rest = number;
+    std::size_t first = 0;
+    for (const Choice& choice : terms.choices) {
+      weigh(terms, motion, terms.ranges[first + rest % choice.axes], scratch);
+      rest /= choice.axes;
+      first += choice.axes;
+    }
+    const auto weights = refute_case(terms, motion, scratch);
+    if (!weights) return std::nullopt;
+    out->sums[out->count++] = *weights;
+  }
+  return out;
+}
+
+// The pairs with a choice, and the one active axis of each pair that had none.
+JointProof proof_of(const Refutation& refutation, const JointTerms& terms,
+                    const ConstraintView& list) {
+  JointProof proof;
+  if (refutation.count > 1)
+    for (const Choice& choice : terms.choices) {
+      const PairHeader& pair = list.pairs[choice.pair];
+      PairAxes& axes = proof.pairs.emplace_back(PairAxes{pair.obstacle, pair.robot, {}});
+      for (const Constraint& c : list.constraints.subspan(choice.first, pair.count))
+        axes.axes.push_back({c.owner, c.edge});
+    }
+  const auto add_pair_of = [&](const JointTerm& term) {
+    const bool known =
+        std::any_of(proof.pairs.begin(), proof.pairs.end(), [&](const PairAxes& pair) {
+          return pair.obstacle == term.obstacle && pair.robot == term.robot;
+        });
+    if (!known) proof.pairs.push_back({term.obstacle, term.robot, {{term.owner, term.edge}}});
+  };
+  for (std::size_t i = 0; i < refutation.count; ++i) {
+    const WeightProgram::Weights& weights = refutation.sums[i];
+    JointSum& sum = proof.sums.emplace_back();
+    sum.reserve(weights.count);
+    for (std::size_t k = 0; k < weights.count; ++k) {
+      sum.push_back(terms.terms[weights.items[k].function].source);
+      sum.back().weight = weights.items[k].value;
+      add_pair_of(sum.back());
+    }
+  }
+  return proof;
 }
 
 }  // namespace planner

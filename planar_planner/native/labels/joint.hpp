@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "constraints.hpp"
@@ -19,29 +20,15 @@
 #include "pdg/native/geometry/motion.hpp"
 #include "planar_planner/native/world/obstacle_tree.hpp"
 #include "planar_planner/native/world/posed_robot.hpp"
+#include "tuning.hpp"
 #include "weights.hpp"
 
 namespace planner {
 
-class JointTest {
- public:
-  explicit JointTest(const ObstacleTree& tree) : tree_(tree) {}
-
-  // True: proven, in exact arithmetic, that no configuration of the motion is free. `list` is the
-  // motion's own undecided list.
-  bool obstructs(const pdg::Motion& motion, PosedRobot& posed, const ConstraintView& list) {
-    look_at(motion, posed, list);
-    return obstructs(motion);
-  }
-  // The same of parts of the motion that was looked at last, with the same centre.
-  bool obstructs(const pdg::Motion& part);
-  void look_at(const pdg::Motion& motion, PosedRobot& posed, const ConstraintView& list);
-
-  // What is behind the last `true`, which was about this list.
-  [[nodiscard]] JointProof proof(const ConstraintView& list) const;
-
- private:
-  // s_k = value + normal . e + v cos(delta) + w sin(delta), up to +- bend, over the cell's
+// What the undecided pairs of a motion demand of a free configuration, written about the motion's
+// centre: the same for every part of the motion that has the same centre.
+struct JointTerms {
+  // s_k = value + normal . e + v cos(delta) + w sin(delta), up to +- bend, over the motion's
   // deviations e of the translation and delta of the angle.
   struct Term {
     Vec2 normal;
@@ -51,39 +38,48 @@ class JointTest {
     double error;
     JointTerm source;
   };
-  // A pair of the list, where its constraints begin, and how many they are.
-  struct Place {
+  // A pair of the list with several axes, of which a free configuration needs one.
+  struct Choice {
     std::size_t pair;
-    std::size_t first;
-    std::size_t choices = 0;
+    std::size_t first;  // its first constraint in the list
+    std::size_t axes = 0;
   };
-  struct TermRange {
+  struct Range {
     std::size_t begin;
     std::size_t end;
   };
 
-  void add_terms(const pdg::Motion& motion, PosedRobot& posed, const PairHeader& pair,
-                 const pdg::Constraint& constraint);
-  void add_term(const pdg::Motion& motion, const pdg::PosedPiece& a, const pdg::ConvexPiece& b,
-                const JointTerm& source, double error);
-  void choose_branches(const ConstraintView& list);
-  void weigh(const pdg::Motion& motion, TermRange range);
-  bool refute(const pdg::Motion& motion);
-  bool proves(const pdg::Motion& motion, const WeightProgram::Weights& weights);
-  void note_sum(const WeightProgram::Weights& weights);
-
-  const ObstacleTree& tree_;
-  // Terms of the pairs with one active axis, then those of the choices.
-  std::vector<Term> terms_;
-  std::size_t fixed_ = 0;
-  std::vector<Place> several_;     // the pairs with a choice
-  std::vector<TermRange> ranges_;  // of their axes, one after another
-  std::size_t cases_ = 0;
-  std::vector<std::size_t> weighed_;  // terms in the programme
-  WeightProgram program_;             // the terms, without second-order terms of turning edges
-  WeightProgram bent_;                // with all of them
-  std::vector<JointTerm> noted_;      // the weighted terms of all sums that prove
-  std::vector<std::size_t> ends_;     // of each sum
+  std::vector<Term> terms;  // of the pairs with one axis, then of the axes to choose from
+  std::size_t fixed = 0;    // how many belong to pairs with one axis
+  std::vector<Choice> choices;
+  std::vector<Range> ranges;  // the terms of each axis of each choice, one after another
+  std::size_t cases = 1;      // ways to choose one axis for each
 };
+
+// `list` is the motion's own undecided list.
+void gather_terms(const ObstacleTree& tree, const pdg::Motion& motion, PosedRobot& posed,
+                  const ConstraintView& list, JointTerms& out);
+
+// Weighted sums of terms, each negative all over a motion: one, or one for every way to choose.
+struct Refutation {
+  std::array<WeightProgram::Weights, kMostCases> sums{};  // functions are indices of terms
+  std::size_t count = 0;
+};
+
+// Memory that refute() works in; nothing in it outlives a call.
+struct JointScratch {
+  std::vector<std::size_t> weighed;  // terms in the programme
+  WeightProgram program;             // the terms, without second-order terms of turning edges
+  WeightProgram bent;                // with all of them
+};
+
+// Why no configuration of the motion is free, in exact arithmetic, if that could be proven. The
+// terms may be those of a larger motion with the same centre.
+std::optional<Refutation> refute(const JointTerms& terms, const pdg::Motion& motion,
+                                 JointScratch& scratch);
+
+// The same as evidence; `list` is what the terms were gathered from.
+JointProof proof_of(const Refutation& refutation, const JointTerms& terms,
+                    const ConstraintView& list);
 
 }  // namespace planner

@@ -18,7 +18,7 @@ void add_sway(LabelResult& result, const pdg::Sway& more) {
   result.sway.turn += more.turn;
 }
 
-// Of something still closed: as much as the motion itself.
+// A pair or node that is still closed counts as swayed by as much as the motion moves the robot.
 pdg::Sway whole_sway(const Motion& m, const double radius) {
   return {m.g1_length, m.g2_length, radius * m.half_angle};
 }
@@ -38,11 +38,10 @@ void bring_forward(ConstraintList& list, const std::size_t pair, const std::size
 struct Labeller::Pass {
   const Motion& motion;
   PosedRobot& posed;
-  ConstraintList& out;
   Vec2 extent;  // half-extents of the translations along x and y
   double extent_norm;
   LabelResult result;
-  double least = INFINITY;     // separation of the deepest open pair in `out`
+  double least = INFINITY;     // separation of the deepest open pair left undecided
   std::size_t deepest = 0;     // its place among the pairs
   std::size_t deepest_at = 0;  // and of its first constraint
 };
@@ -91,10 +90,11 @@ void Labeller::root_list(ConstraintList& out) const {
 }
 
 LabelResult Labeller::label(const Motion& motion, PosedRobot& posed, const ConstraintView& parent,
-                            ConstraintList& out) {
-  out.clear();
+                            ConstraintList room) {
+  room.clear();
   const Vec2 extent = box_extent(motion);
-  Pass pass{motion, posed, out, extent, pdg::norm(extent), {}};
+  Pass pass{motion, posed, extent, pdg::norm(extent), {}};
+  pass.result.undecided = std::move(room);
   pass.result.clearance = INFINITY;
   pass.result.separation = INFINITY;
   std::size_t at = 0;
@@ -108,11 +108,12 @@ LabelResult Labeller::label(const Motion& motion, PosedRobot& posed, const Const
       go_on =
           judge(pass, header.obstacle, header.robot, parent.constraints.subspan(at, header.count));
     at += header.count;
-    if (!go_on) return pass.result;
+    if (!go_on) return std::move(pass.result);
   }
-  pass.result.label = out.pairs.empty() ? Label::kFree : Label::kMixed;
-  if (pass.deepest != 0) bring_forward(out, pass.deepest, pass.deepest_at);
-  return pass.result;
+  ConstraintList& undecided = pass.result.undecided;
+  pass.result.label = undecided.pairs.empty() ? Label::kFree : Label::kMixed;
+  if (pass.deepest != 0) bring_forward(undecided, pass.deepest, pass.deepest_at);
+  return std::move(pass.result);
 }
 
 bool Labeller::visit_node(Pass& pass, const std::uint32_t index) {
@@ -125,7 +126,7 @@ bool Labeller::visit_node(Pass& pass, const std::uint32_t index) {
   // A pair can only fill a box that is no larger than its Minkowski sum; and no guard sees round
   // something small inside a large cell. Until then the node stays closed.
   if (std::max(pass.extent.x, pass.extent.y) > robot_.reach + node.largest_leaf) {
-    pass.out.pairs.push_back({index, kNode, 0});
+    pass.result.undecided.pairs.push_back({index, kNode, 0});
     pass.result.turning_radius = robot_.reach;
     add_sway(pass.result, whole_sway(pass.motion, robot_.reach));
     pass.result.separation = std::min(pass.result.separation, 0.0);
@@ -193,7 +194,7 @@ bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
   const double radii = a.radius + b.radius;
   const double motion_radius = pass.extent_norm + a.reach * pass.motion.half_angle;
   if (motion_radius > opening(pass.extent, between, radii) * radii) {
-    pass.out.pairs.push_back({obstacle, robot, 0});
+    pass.result.undecided.pairs.push_back({obstacle, robot, 0});
     const double inner = a.inner_radius + b.inner_radius;
     result.separation = std::min(result.separation, pdg::norm(between) - 0.5 * (radii + inner));
     result.turning_radius = std::max(result.turning_radius, a.reach);
@@ -207,10 +208,10 @@ bool Labeller::visit_closed_pair(Pass& pass, const std::uint32_t obstacle,
 
 bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16_t robot,
                      const std::span<const pdg::Constraint> active) {
-  const std::size_t before = pass.out.constraints.size();
+  const std::size_t before = pass.result.undecided.constraints.size();
   pdg::PairVerdict verdict =
       pdg::judge_pair(pass.posed.piece(robot), tree_.piece(obstacle), pass.motion, active,
-                      pass.out.constraints, statistics_.separation_evaluations);
+                      pass.result.undecided.constraints, statistics_.separation_evaluations);
   LabelResult& result = pass.result;
   switch (verdict.label) {
     case pdg::PairLabel::kApart:
@@ -218,7 +219,8 @@ bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16
       return true;
     case pdg::PairLabel::kOverlap:
       if (parts_.query != CullingQuery::kPerNormal && !culls(pass, obstacle, robot)) {
-        pass.out.constraints.insert(pass.out.constraints.end(), active.begin(), active.end());
+        pass.result.undecided.constraints.insert(pass.result.undecided.constraints.end(),
+                                                 active.begin(), active.end());
         verdict.sway = whole_sway(pass.motion, robot_.pieces[robot].reach);
         verdict.centre = std::max(verdict.centre, -robot_.reach);  // a hint, but a finite one
         break;
@@ -230,11 +232,12 @@ bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16
     case pdg::PairLabel::kUndecided:
       break;
   }
-  pass.out.pairs.push_back(
-      {obstacle, robot, static_cast<std::uint16_t>(pass.out.constraints.size() - before)});
+  pass.result.undecided.pairs.push_back(
+      {obstacle, robot,
+       static_cast<std::uint16_t>(pass.result.undecided.constraints.size() - before)});
   if (verdict.centre < pass.least) {
     pass.least = verdict.centre;
-    pass.deepest = pass.out.pairs.size() - 1;
+    pass.deepest = pass.result.undecided.pairs.size() - 1;
     pass.deepest_at = before;
   }
   result.separation = std::min(result.separation, verdict.centre);

@@ -17,7 +17,7 @@ namespace planner {
 enum class Label : std::uint8_t {
   kFree,   // every configuration free
   kStar,   // the free part is star-shaped about a guard (star.hpp)
-  kFull,   // every configuration in C-obstacle, of one pair of pieces
+  kFull,   // every configuration in C-obstacle, by one pair of pieces or by several together
   kMixed,  // undecided
 };
 
@@ -26,16 +26,19 @@ struct Witness {
   std::uint16_t robot;     // piece of the robot
 };
 
+// What single pairs say of a set: kFree, kFull or kMixed.
 struct LabelResult {
   Label label = Label::kMixed;
-  Witness witness{};        // kFull
-  double clearance = 0.0;   // lower bound over the pairs dropped here (planner units)
-  double separation = 0.0;  // kMixed: estimate at the centre, least over pairs; a hint, no bound
-  pdg::Sway sway;           // kMixed: summed over the undecided pairs
+  Witness witness{};         // kFull
+  ConstraintList undecided;  // kMixed: for parts of the set
+  double clearance = 0.0;    // lower bound over the pairs dropped here (planner units)
+  double separation = 0.0;   // kMixed: estimate at the centre, least over pairs; a hint, no bound
+  pdg::Sway sway;            // kMixed: summed over the undecided pairs
   double turning_radius = 0.0;  // kMixed: largest radius of the robot pieces still active
 };
 
-// Owns the scratch memory of labelling; one per search.
+// Labels sets by single pairs of pieces. Owns the memory that it works in, and the count of pairs
+// that were looked at; one per search.
 class Labeller {
  public:
   Labeller(const Robot& robot, ObstacleTree& tree, Statistics& statistics, const Parts& parts = {});
@@ -43,10 +46,10 @@ class Labeller {
   // Everything that can touch the robot, to start from.
   void root_list(ConstraintList& out) const;
 
-  // Judges the motion against what `parent` left undecided. `out` receives what stays undecided
-  // (meaningful for kMixed). `parent` must not alias `out`.
+  // Judges the motion against what `parent`, the list of a set that holds it, left undecided;
+  // `posed` is turned to its central rotation. The memory of `room` is used for the new list.
   LabelResult label(const pdg::Motion& motion, PosedRobot& posed, const ConstraintView& parent,
-                    ConstraintList& out);
+                    ConstraintList room = {});
 
   // Pairs of pieces looked at so far, each counted once.
   [[nodiscard]] std::uint64_t pairs_touched() const { return pairs_touched_; }

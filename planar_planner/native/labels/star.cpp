@@ -54,67 +54,36 @@ bool separates_at(const PosedPiece& a, const ConvexPiece& b, const Constraint& c
   return apart;
 }
 
-}  // namespace
-
-bool is_free(const ObstacleTree& tree, PosedRobot& posed, const Vec2 t, const double reach,
-             const ConstraintView& list, const double margin) {
-  const Motion here = pdg::make_motion(t, {}, {}, {}, reach);
-  std::size_t at = 0;
-  for (const PairHeader& header : list.pairs) {
-    if (closed(header)) return false;
-    const PosedPiece a = posed.piece(header.robot);
-    const ConvexPiece& b = tree.piece(header.obstacle);
-    const double error = pdg::separation_error(*a.piece, b, here) + margin;
-    bool apart = false;
-    for (std::size_t i = 0; i < header.count && !apart; ++i)
-      apart = separates_at(a, b, list.constraints[at + i], t, error);
-    if (!apart) return false;
-    at += header.count;
+// Sutherland-Hodgman. The planes are checked again at the guard itself, so rounding here costs at
+// most a guard, never soundness.
+bool add(StarScratch& s, const HalfPlane plane) {
+  s.planes.push_back(plane);
+  s.heights.clear();
+  bool any_inside = false;
+  bool all_inside = true;
+  for (const Vec2 p : s.polygon) {
+    s.heights.push_back(dot(plane.normal, p) - plane.offset);
+    const bool inside = s.heights.back() > 0.0;
+    any_inside = any_inside || inside;
+    all_inside = all_inside && inside;
   }
-  return true;
-}
-
-std::optional<Vec2> StarTest::find_guard(const Motion& motion, PosedRobot& posed,
-                                         const ConstraintView& list) {
-  // What is closed may be anywhere.
-  if (std::any_of(list.pairs.begin(), list.pairs.end(), closed)) return std::nullopt;
-  start_polygon(motion);
-  if (!collect(motion, posed, list)) return std::nullopt;
-  Vec2 guard;
-  for (const Vec2 p : polygon_) guard = guard + p;
-  guard = (1.0 / static_cast<double>(polygon_.size())) * guard;
-  for (const HalfPlane& plane : planes_)
-    if (!(dot(plane.normal, guard) > plane.offset)) return std::nullopt;
-  if (!is_free(tree_, posed, guard, motion.reach, list)) return std::nullopt;
-  return guard;
-}
-
-void StarTest::start_polygon(const Motion& m) {
-  planes_.clear();
-  polygon_ = {m.t - m.g1 - m.g2, m.t + m.g1 - m.g2, m.t + m.g1 + m.g2, m.t - m.g1 + m.g2};
-}
-
-bool StarTest::collect(const Motion& motion, PosedRobot& posed, const ConstraintView& list) {
-  std::size_t at = 0;
-  for (const PairHeader& header : list.pairs) {
-    const PosedPiece a = posed.piece(header.robot);
-    const ConvexPiece& b = tree_.piece(header.obstacle);
-    const double error = pdg::kGuardErrorFactor * pdg::separation_error(*a.piece, b, motion);
-    for (std::size_t i = 0; i < header.count; ++i) {
-      const Constraint& c = list.constraints[at + i];
-      if (c.owner == EdgeOwner::kObstacle)
-        obstacle_edge(motion, a, b, c, error);
-      else
-        robot_edge(motion, a, b, c, error);
-      if (polygon_.empty()) return false;
-    }
-    at += header.count;
+  if (!any_inside) s.polygon.clear();
+  if (!any_inside || all_inside) return any_inside;
+  s.clipped.clear();
+  for (std::size_t i = 0; i < s.polygon.size(); ++i) {
+    const std::size_t next = i + 1 == s.polygon.size() ? 0 : i + 1;
+    const Vec2 p = s.polygon[i];
+    const double dp = s.heights[i];
+    const double dq = s.heights[next];
+    if (dp > 0.0) s.clipped.push_back(p);
+    if ((dp > 0.0) != (dq > 0.0)) s.clipped.push_back(p + (dp / (dp - dq)) * (s.polygon[next] - p));
   }
-  return true;
+  std::swap(s.polygon, s.clipped);
+  return !s.polygon.empty();
 }
 
-void StarTest::obstacle_edge(const Motion& m, const PosedPiece& a, const ConvexPiece& b,
-                             const Constraint& c, const double error) {
+void obstacle_edge(StarScratch& scratch, const Motion& m, const PosedPiece& a, const ConvexPiece& b,
+                   const Constraint& c, const double error) {
   const pdg::Edge& edge = b.edges[c.edge];
   const Vec2 n = edge.normal;
   const double shift = dot(n, m.t) - edge.offset;
@@ -125,12 +94,12 @@ void StarTest::obstacle_edge(const Motion& m, const PosedPiece& a, const ConvexP
     const double v = dot(n, a.vertices[k]);
     const double w = cross(a.vertices[k], n);
     if (pdg::sinusoid_range(v, w, m).lo + shift - extent >= error) return;  // never crossed
-    add({n, edge.offset - std::min(v, v * k_factor) + std::abs(w) * s_factor + error});
+    add(scratch, {n, edge.offset - std::min(v, v * k_factor) + std::abs(w) * s_factor + error});
   });
 }
 
-void StarTest::robot_edge(const Motion& m, const PosedPiece& a, const ConvexPiece& b,
-                          const Constraint& c, const double error) {
+void robot_edge(StarScratch& scratch, const Motion& m, const PosedPiece& a, const ConvexPiece& b,
+                const Constraint& c, const double error) {
   const Vec2 normal = a.normals[c.edge];
   const Vec2 along = pdg::perp(normal);
   const double offset = a.piece->edges[c.edge].offset;
@@ -152,38 +121,67 @@ void StarTest::robot_edge(const Motion& m, const PosedPiece& a, const ConvexPiec
     // M . (b - t_o) > fixed + h |M' . (t_c - t_o)|, one half-plane for each sign.
     for (const double sign : {h, -h}) {
       const Vec2 p = -normal + sign * along;
-      add({p, fixed - dot(normal, b.edges[k].vertex) + sign * dot(along, m.t)});
+      add(scratch, {p, fixed - dot(normal, b.edges[k].vertex) + sign * dot(along, m.t)});
       if (h == 0.0) break;
     }
   });
 }
 
-// Sutherland-Hodgman. The planes are checked again at the guard itself, so rounding here costs at
-// most a guard, never soundness.
-bool StarTest::add(const HalfPlane plane) {
-  planes_.push_back(plane);
-  heights_.clear();
-  bool any_inside = false;
-  bool all_inside = true;
-  for (const Vec2 p : polygon_) {
-    heights_.push_back(dot(plane.normal, p) - plane.offset);
-    const bool inside = heights_.back() > 0.0;
-    any_inside = any_inside || inside;
-    all_inside = all_inside && inside;
+// Clips the polygon by the conditions of every active function; false if nothing is left of it.
+bool collect(const ObstacleTree& tree, StarScratch& scratch, const Motion& motion,
+             PosedRobot& posed, const ConstraintView& list) {
+  std::size_t at = 0;
+  for (const PairHeader& header : list.pairs) {
+    const PosedPiece a = posed.piece(header.robot);
+    const ConvexPiece& b = tree.piece(header.obstacle);
+    const double error = pdg::kGuardErrorFactor * pdg::separation_error(*a.piece, b, motion);
+    for (std::size_t i = 0; i < header.count; ++i) {
+      const Constraint& c = list.constraints[at + i];
+      if (c.owner == EdgeOwner::kObstacle)
+        obstacle_edge(scratch, motion, a, b, c, error);
+      else
+        robot_edge(scratch, motion, a, b, c, error);
+      if (scratch.polygon.empty()) return false;
+    }
+    at += header.count;
   }
-  if (!any_inside) polygon_.clear();
-  if (!any_inside || all_inside) return any_inside;
-  clipped_.clear();
-  for (std::size_t i = 0; i < polygon_.size(); ++i) {
-    const std::size_t next = i + 1 == polygon_.size() ? 0 : i + 1;
-    const Vec2 p = polygon_[i];
-    const double dp = heights_[i];
-    const double dq = heights_[next];
-    if (dp > 0.0) clipped_.push_back(p);
-    if ((dp > 0.0) != (dq > 0.0)) clipped_.push_back(p + (dp / (dp - dq)) * (polygon_[next] - p));
+  return true;
+}
+
+}  // namespace
+
+bool is_free(const ObstacleTree& tree, PosedRobot& posed, const Vec2 t, const double reach,
+             const ConstraintView& list, const double margin) {
+  const Motion here = pdg::make_motion(t, {}, {}, {}, reach);
+  std::size_t at = 0;
+  for (const PairHeader& header : list.pairs) {
+    if (closed(header)) return false;
+    const PosedPiece a = posed.piece(header.robot);
+    const ConvexPiece& b = tree.piece(header.obstacle);
+    const double error = pdg::separation_error(*a.piece, b, here) + margin;
+    bool apart = false;
+    for (std::size_t i = 0; i < header.count && !apart; ++i)
+      apart = separates_at(a, b, list.constraints[at + i], t, error);
+    if (!apart) return false;
+    at += header.count;
   }
-  std::swap(polygon_, clipped_);
-  return !polygon_.empty();
+  return true;
+}
+
+std::optional<Vec2> find_guard(const ObstacleTree& tree, const Motion& m, PosedRobot& posed,
+                               const ConstraintView& list, StarScratch& scratch) {
+  // A closed pair may be anywhere in the set.
+  if (std::any_of(list.pairs.begin(), list.pairs.end(), closed)) return std::nullopt;
+  scratch.planes.clear();
+  scratch.polygon = {m.t - m.g1 - m.g2, m.t + m.g1 - m.g2, m.t + m.g1 + m.g2, m.t - m.g1 + m.g2};
+  if (!collect(tree, scratch, m, posed, list)) return std::nullopt;
+  Vec2 guard;
+  for (const Vec2 p : scratch.polygon) guard = guard + p;
+  guard = (1.0 / static_cast<double>(scratch.polygon.size())) * guard;
+  for (const HalfPlane& plane : scratch.planes)
+    if (!(dot(plane.normal, guard) > plane.offset)) return std::nullopt;
+  if (!is_free(tree, posed, guard, m.reach, list)) return std::nullopt;
+  return guard;
 }
 
 }  // namespace planner

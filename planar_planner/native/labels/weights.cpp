@@ -62,8 +62,12 @@ void WeightProgram::start() {
   started_ = true;
 }
 
-bool WeightProgram::solve() {
-  if (functions_.empty()) return false;
+std::optional<WeightProgram::Weights> WeightProgram::solve() {
+  if (functions_.empty() || !reach_negative_sum()) return std::nullopt;
+  return weights();
+}
+
+bool WeightProgram::reach_negative_sum() {
   if (!started_) start();
   for (int pivots = 0; pivots <= kPivots; ++pivots) {
     double value = 0.0;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace planner {
@@ -37,16 +38,15 @@ class WeightProgram {
   void add(const Function& function) { functions_.push_back(function); }
   [[nodiscard]] const Function& function(const std::size_t k) const { return functions_[k]; }
 
-  // Drops all functions but the first `count`. Only if they alone are those of the remembered basis
-  // or none is remembered.
+  // Drops all functions but the first `count`. A remembered basis must not use any that is dropped.
   void keep(const std::size_t count) { functions_.resize(count); }
 
-  // Can the functions be weighted like that? False also when the pivots run out.
-  bool solve();
-  // After solve() was true.
-  [[nodiscard]] Weights weights() const;
+  // Weights with a negative sum; empty if there are none, or when the pivots run out. Starts from
+  // the basis that the last call ended with, if there was one.
+  std::optional<Weights> solve();
 
-  // More functions are often added to the same ones: solve() goes on from the remembered basis.
+  // For functions that are added to the same ones again and again: remember() keeps the present
+  // basis, recall() makes it present again, forget() lets the next solve() start anew.
   void remember();
   void recall();
   void forget();
@@ -63,6 +63,8 @@ class WeightProgram {
   };
 
   void start();
+  bool reach_negative_sum();
+  [[nodiscard]] Weights weights() const;
   bool pivot(std::size_t entering);
 
   std::vector<Function> functions_;

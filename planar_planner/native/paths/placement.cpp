@@ -80,14 +80,14 @@ Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
     return out;
   }
   const Pose pose = pose_of(problem, q);
-  ConstraintList root, rest;
+  ConstraintList root;
   labeller.root_list(root);
   const pdg::Motion motion = pdg::make_motion(
       pose.t, {}, {}, {}, std::max(problem.domain.reach, pdg::norm(pose.t) * pdg::kRadiusPadding));
   const pdg::Rotation rotation{std::cos(q.theta), std::sin(q.theta)};
   PosedRobot posed(problem.robot);
   posed.turn_to(rotation);
-  const LabelResult result = labeller.label(motion, posed, view(root), rest);
+  const LabelResult result = labeller.label(motion, posed, view(root));
   if (result.label == Label::kFree) {
     out.clearance = length_to_user(problem, result.clearance);
     return out;

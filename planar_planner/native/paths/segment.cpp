@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "pdg/native/tolerances.hpp"
 #include "planar_planner/native/labels/star.hpp"
@@ -36,11 +37,11 @@ pdg::Motion motion_along(const Problem& problem, const Pose& from, const Pose& t
 }
 
 std::optional<double> SegmentTest::clearance(const Pose& pose) {
-  ConstraintList root, rest;
+  ConstraintList root;
   labeller_.root_list(root);
   const pdg::Motion m = motion_along(problem_, pose, pose, {0.0, 1.0});
   posed_.turn_to(rotation_at(pose.theta));
-  const LabelResult result = labeller_.label(m, posed_, view(root), rest);
+  const LabelResult result = labeller_.label(m, posed_, view(root));
   if (result.label != Label::kFree) return std::nullopt;
   return result.clearance;
 }
@@ -64,7 +65,8 @@ bool SegmentTest::certify_interval(const Pose& from, const Pose& to, const Inter
   if (motion.half_angle <= std::numbers::pi / 2) {
     const Pose centre = between(from, to, middle);
     posed_.turn_to(rotation_at(centre.theta));
-    const LabelResult result = labeller_.label(motion, posed_, parent, lists_[depth]);
+    LabelResult result = labeller_.label(motion, posed_, parent, std::move(lists_[depth]));
+    lists_[depth] = std::move(result.undecided);
     if (result.label == Label::kFree) return true;
     if (result.label == Label::kFull) return false;
     list = view(lists_[depth]);

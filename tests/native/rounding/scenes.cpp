@@ -19,11 +19,11 @@ using Point = std::array<std::uint64_t, 3>;
 
 bool free_at(World& world, const Point& p) {
   const planner::Extent here{p, {0, 0, 0}};
-  planner::ConstraintList root, rest;
+  planner::ConstraintList root;
   world.labeller.root_list(root);
   const planner::LabelResult result = world.labeller.label(
       planner::motion_of(world.space, here),
-      world.posed_at(planner::rotation_of(world.space, here)), planner::view(root), rest);
+      world.posed_at(planner::rotation_of(world.space, here)), planner::view(root));
   return result.label == Label::kFree;
 }
 
