@@ -16,16 +16,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from ablation_parts.culling import DRIVER, QUERIES, Culling, culling
-from ablation_parts.picture import draw
-from ablation_parts.variants import ABLATIONS, TABLE_2, Outcome, Variant, outcome
-from native_bench import build
-from provenance import RESULTS, print_provenance, use_one_core, write_csv
-from shipped import with_point_goals
-
+from lib.native import build
+from lib.provenance import RESULTS, print_provenance, use_one_core, write_csv
+from parts.ablation.culling import DRIVER, QUERIES, Culling, culling
+from parts.ablation.picture import draw
+from parts.ablation.variants import ABLATIONS, TABLE_2, Outcome, Variant, outcome
 from planar_planner import Options, load_scene
 from planar_planner.problem.make import make_problem
 from planar_planner.scene.builtin import manifest
+from worlds.shipped import with_point_goals
 
 GEAR = "gear"
 PUBLISHED = (

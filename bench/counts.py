@@ -16,18 +16,17 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import provenance
-from ablation_parts import variants
-from scale_parts import worlds
-from scale_parts.families import GEAR_CRITICAL
-
+from lib import provenance
+from parts.ablation import variants
+from parts.scale.families import GEAR_CRITICAL
 from planar_planner import Options, load_scene, solve
+from planar_planner.load import SceneLike
 from planar_planner.planning.engine import ask, make_core
-from planar_planner.planning.planner import SceneLike
 from planar_planner.problem.make import make_problem
 from planar_planner.scene.builtin import manifest
 from scenarios import corner, field, gear, maze
 from scenarios.model import Scene
+from worlds import growing as worlds
 
 RECORD = Path(__file__).with_name("counts.json")
 FORMAT = "planar-planner/counts"

@@ -11,9 +11,9 @@ from __future__ import annotations
 import argparse
 import sys
 
-from depth_parts import distances, generalized, picture, translational
-from depth_parts.common import Row, failures, show
-from provenance import print_provenance, write_csv
+from lib.provenance import print_provenance, write_csv
+from parts.depth_accuracy import distances, generalized, picture, translational
+from parts.depth_accuracy.common import Row, failures, show
 
 SEED = 7
 

@@ -14,8 +14,9 @@ import sys
 import time
 from importlib.metadata import version
 
-from depth_parts.agreement import ALLOWED, FAMILIES, Deviation, failures, measure
-from provenance import print_provenance, write_csv
+from lib.provenance import print_provenance, write_csv
+from support.depth_agreement import ALLOWED, Deviation, failures, measure
+from worlds.bodies.convex_pairs import FAMILIES
 
 SEED = 11
 PAIRS = 100_000

@@ -15,10 +15,10 @@ import statistics
 import sys
 from collections.abc import Sequence
 
-from depth_models import SAMPLES, models
-from depth_parts.sweep import Cost, Prepared, Sample, broken, cost, samples
-from depth_parts.sweep_picture import draw
-from provenance import print_provenance, use_one_core, write_csv
+from lib.provenance import print_provenance, use_one_core, write_csv
+from parts.depth_sweep.picture import draw
+from parts.depth_sweep.sweep import Cost, Prepared, Sample, broken, cost, samples
+from worlds.bodies.paper_models import SAMPLES, models
 
 
 def main() -> int:

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from provenance import RESULTS, print_provenance, use_one_core, write_csv
-from target_scenes import bisect
-from timing import Measured, measure
 
+from lib.provenance import RESULTS, print_provenance, use_one_core, write_csv
+from lib.timing import Measured, measure
+from parts.targets.scenes import bisect
 from planar_planner import Options
 from scenarios import corner, gear
 from scenarios.model import Scene

@@ -17,13 +17,12 @@ import sys
 from collections.abc import Iterator, Sequence
 from functools import partial
 
-from depth_parts.common import in_microseconds, timed
-from grasp_parts import linearised, picture_error_time
-from grasp_parts.grasps import random_grasps
-from grasp_parts.minimiser import least_found
-from grasp_parts.picture_error_time import OURS, Row
-from provenance import print_provenance, use_one_core, write_csv
-
+from lib.provenance import print_provenance, use_one_core, write_csv
+from parts.depth_accuracy.common import in_microseconds, timed
+from parts.grasps import linearised, picture_error_time
+from parts.grasps.grasps import random_grasps
+from parts.grasps.minimiser import least_found
+from parts.grasps.picture_error_time import OURS, Row
 from pdg.grasp import Contact, force_efficiency, grasp_wrench_set
 
 SEED = 11

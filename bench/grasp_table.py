@@ -2,7 +2,7 @@
 
 Rows (a1)–(a5) are on a FIT: the paper does not give its block, and ours has the two contact
 distances that reproduce all ten published values. Rows (b1)–(h) are on a block and a four-finger
-hand of our own (bench/grasp_parts/block.py, four_finger_hand.py describe them in full), so their
+hand of our own (bench/parts/grasps/block.py, four_finger_hand.py describe them in full), so their
 values are not comparable with the published ones; what is checked is what the paper claims of them.
 
 Writes ``bench/results/grasp_table.csv``, ``grasp_table_growth.csv``, ``grasp_sets.png`` (as Fig. 3)
@@ -16,12 +16,11 @@ import argparse
 import sys
 from collections.abc import Iterator, Sequence
 
-from depth_parts.common import timed
-from grasp_parts import claims, growth, picture_growth, picture_sets
-from grasp_parts.claims import EPS, TableRow
-from grasp_parts.situations import SITUATIONS, Published, Situation, fit_parameters
-from provenance import print_provenance, use_one_core, write_csv
-
+from lib.provenance import print_provenance, use_one_core, write_csv
+from parts.depth_accuracy.common import timed
+from parts.grasps import claims, growth, picture_growth, picture_sets
+from parts.grasps.claims import EPS, TableRow
+from parts.grasps.situations import SITUATIONS, Published, Situation, fit_parameters
 from pdg.grasp import WrenchSet, active_wrench_set, force_efficiency, grasp_wrench_set
 from pdg.sets import AffineImage
 

@@ -9,13 +9,17 @@ from __future__ import annotations
 from provenance import print_provenance, use_one_core, write_csv
 from shipped import with_point_goals
 
-from planar_planner import Margin, margin
+from lib.provenance import print_provenance, use_one_core, write_csv
+from planar_planner import Margin, Options, load_scene, margin
+from planar_planner.margins.find import Asked, bracketed
+from planar_planner.problem.make import make_problem
+from worlds.shipped import with_point_goals
 
 HEADER = (
     "scene",
     "lower",
     "upper",
-    "tolerance",
+    "width",
     "binding",
     "reason",
     "queries",
@@ -34,7 +38,7 @@ def row(scene: str, found: Margin, without: Margin) -> tuple[object, ...]:
         scene,
         f"{found.lower:.6g}",
         f"{found.upper:.6g}",
-        f"{found.tolerance:.3g}",
+        f"{found.width:.3g}",
         found.binding,
         found.reason,
         found.counts["queries"],
@@ -53,7 +57,10 @@ def main() -> None:
     use_one_core()
     rows = []
     for scene in with_point_goals():
-        found, without = margin(scene), margin(scene, reuse=False)
+        found, without = (
+            margin(scene),
+            bracketed(make_problem(load_scene(scene)), Options(), Asked(reuse=False)),
+        )
         rows.append(row(scene, found, without))
         print(
             "{:17} [{:>10}, {:>10}] {:8} {:>3} {:>3} {:>7} {:>6} | {:>3} {:>7} {:>6}".format(

@@ -26,9 +26,10 @@ from dataclasses import dataclass, replace
 from importlib.metadata import version
 from pathlib import Path
 
-from ompl_driver import PLANNERS, DriverMissingError, Request, build_driver, dump, run_driver
-from ompl_picture import draw
-from ompl_table import (
+from lib.provenance import RESULTS, print_provenance, write_csv
+from parts.ompl.driver import PLANNERS, DriverMissingError, Request, build_driver, dump, run_driver
+from parts.ompl.picture import draw
+from parts.ompl.table import (
     HEADER,
     SOUND,
     Entry,
@@ -38,9 +39,6 @@ from ompl_table import (
     line_of,
     verdict_rows,
 )
-from provenance import RESULTS, print_provenance, write_csv
-from shipped import with_point_goals
-
 from planar_planner.cli.arguments.importing import add_importing, import_options
 from planar_planner.errors import OptionsError, SceneError
 from planar_planner.formats.parts import ImportOptions
@@ -57,6 +55,7 @@ from planar_planner.ompl.comparison import aligned
 from planar_planner.ompl.samplers import INSTALL_HINT
 from planar_planner.planning.path_judge import Judge
 from planar_planner.scene.builtin import manifest
+from worlds.shipped import with_point_goals
 
 WHEEL_PLANNERS = ("RRTConnect", "PRM", "KPIECE1", "BITstar")
 RESOLUTIONS = (0.01, 0.002)
@@ -88,7 +87,7 @@ def entries(scene: str, plan: Plan, driver: Path | None) -> Iterator[Entry]:
     yield entry_of_ours(loaded.name, ours)
     hopeless = ours[0].verdict == "no_path"
     runs = 1 if hopeless else plan.runs
-    settings = Settings(runs=runs, limit=plan.limit, seed=plan.seed)
+    settings = Settings(runs=runs, timeout=plan.limit, seed=plan.seed)
     with tempfile.TemporaryDirectory() as folder:
         dumped = Path(folder) / "problem.txt"
         dumped.write_text(dump(problem), encoding="ascii")
@@ -122,7 +121,7 @@ class Native:
         first = self.settings.seed + 1
         found = []
         for seed in range(first, first + self.settings.runs):
-            request = Request(self.planner, seed, self.settings.limit, resolution)
+            request = Request(self.planner, seed, self.settings.timeout, resolution)
             answer = run_driver(self.driver, self.dumped, request)
             found.append(sampler_run(self.planner, seed, answer, self.judge))
         return found

@@ -15,11 +15,10 @@ import time
 from collections import Counter
 
 import numpy as np
-import provenance
 from scipy.spatial import ConvexHull, QhullError
-from shipped import with_point_goals
 
 import pdg
+from lib import provenance
 from planar_planner import load_scene, solve
 from planar_planner.physics import push, replay
 from planar_planner.physics.contacts import reported, touched
@@ -27,6 +26,7 @@ from planar_planner.physics.replay import outside, problem_of
 from planar_planner.physics.world import engine_name, make_world, rounding
 from planar_planner.planning.engine import make_core
 from planar_planner.problem.make import ends
+from worlds.shipped import with_point_goals
 
 SECONDS, TRIES, SEED = 20.0, 4, 0
 PAIRS, PLACES = 400, 150

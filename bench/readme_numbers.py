@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import re
 
-from provenance import RESULTS, ROOT
+from lib.provenance import RESULTS, ROOT
 
 Cells = dict[tuple[str, str], dict[str, str]]  # (what, quantity) → row
 SMALL = ("bug-trap", "piano", "slot", "corner", "comb", "snowflake")

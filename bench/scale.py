@@ -15,16 +15,15 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-import fits
-from native_bench import build
-from provenance import RESULTS, print_provenance, use_one_core, write_csv
-from scale_parts import point
-from scale_parts.families import Family, families
-from scale_parts.inner_loop import InnerLoop, inner_loop, print_inner_loops
-from scale_parts.picture import draw
-from scale_parts.repeated import Repeated, repeated
-from timing import Spread
-
+from lib.native import build
+from lib.provenance import RESULTS, print_provenance, use_one_core, write_csv
+from lib.timing import Spread
+from oracles import fits
+from parts.scale import point
+from parts.scale.families import Family, families
+from parts.scale.inner_loop import InnerLoop, inner_loop, print_inner_loops
+from parts.scale.picture import draw
+from parts.scale.repeated import Repeated, repeated
 from planar_planner import load_scene
 
 LIMIT = 120.0  # seconds of a query, by the wall clock

@@ -11,11 +11,10 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from processes import first_line, heavy_modules, import_time, large_query
-from provenance import print_provenance, use_one_core, write_csv
-from target_scenes import JAMMED_GATES, bisect
-from timing import Measured, Spread, measure
-
+from lib.provenance import print_provenance, use_one_core, write_csv
+from lib.timing import Measured, Spread, measure
+from parts.targets.processes import first_line, heavy_modules, import_time, large_query
+from parts.targets.scenes import JAMMED_GATES, bisect
 from planar_planner.scene.builtin import manifest
 from scenarios import corner, field, gear
 

@@ -1,96 +1,19 @@
-"""Shared by all Python tests: small scenes, and a stand-in for the native core.
+"""Fixtures of all Python tests: a small scene, and a stand-in for the native core.
 
-The stand-in answers what a test tells it to, so that the gate and the command line are tested
-apart from the planner. Tests named ``*_end_to_end`` use the real core.
+The stand-in lets the gate and the command line be tested apart from the planner. Tests named
+``*_end_to_end`` use the real core.
 """
 
 from __future__ import annotations
 
-import copy
 import sys
-from collections.abc import Callable
-from pathlib import Path
 from types import ModuleType
-from typing import Any, ClassVar
+from typing import Any
 
-import numpy as np
 import pytest
 
-# Makes benchmarks and generators importable from a checkout, after anything that is installed.
-ROOT = Path(__file__).parents[1]
-for folder in (ROOT / "bench", ROOT):
-    if str(folder) not in sys.path:
-        sys.path.append(str(folder))
-
-FREE = {
-    "state": "free",
-    "what": "",
-    "polygon": -1,
-    "piece": 0,
-    "depth": 0.0,
-    "separation": 1.0,
-}
-
-STATS = {
-    "cells": 12,
-    "cells_by_label": {"free": 3, "star": 2, "full": 4, "mixed": 3},
-    "cells_by_level": [0, 0, 4, 8],
-    "labelled_cells": 20,
-    "separation_evaluations": 340,
-    "pairs_touched": 5,
-    "pairs_total": 9,
-    "faces_tested": 7,
-    "probe_checks": 0,
-    "ridge_tries": 0,
-    "ridge_evaluations": 0,
-    "search_rounds": 2,
-    "memory_bytes": 2048,
-    "seconds": {
-        "preprocessing": 0.001,
-        "labelling": 0.002,
-        "faces": 0.0005,
-        "search": 0.0001,
-        "path": 0.0,
-        "probe": 0.0,
-        "total": 0.0036,
-    },
-    "path_length": 2.5,
-    "waypoints": 2,
-    "decided_by": "straight move",
-}
-
-
-class FakeCore:
-    """Stands in for `planar_planner._core.Core`; tests set the class attributes."""
-
-    built: ClassVar[list[tuple[Any, ...]]] = []
-    solved: ClassVar[list[tuple[Any, ...]]] = []
-    placements: Callable[[tuple[float, float, float]], dict[str, Any]] = staticmethod(
-        lambda q: FREE
-    )
-    verdict = "path"
-    reason = "straight move"
-    during_solve: Callable[[Any], None] = staticmethod(lambda listener: None)
-
-    def __init__(self, *arguments: Any, **parts: Any) -> None:
-        type(self).built.append(arguments)
-
-    def placement(self, q: tuple[float, float, float]) -> dict[str, Any]:
-        return type(self).placements(q)
-
-    def solve(self, start: Any, goal: Any, *limits: Any) -> dict[str, Any]:
-        type(self).solved.append((start, goal, *limits))
-        type(self).during_solve(limits[-1])
-        path = np.array([start, goal]) if self.verdict == "path" else np.empty((0, 3))
-        return {
-            "verdict": self.verdict,
-            "reason": self.reason,
-            "path": path,
-            "stats": copy.deepcopy(STATS),
-        }
-
-    def least_clearance(self) -> float:
-        return float("inf")
+from support.stand_in_core import FakeCore
+from worlds.small import small_scene
 
 
 @pytest.fixture
@@ -116,28 +39,7 @@ def fake_core(monkeypatch: pytest.MonkeyPatch) -> type[FakeCore]:
     return core
 
 
-def square(x: float, y: float, half: float = 0.5) -> list[list[float]]:
-    """Return the closed ring of an axis-parallel square."""
-    return [
-        [x - half, y - half],
-        [x + half, y - half],
-        [x + half, y + half],
-        [x - half, y + half],
-        [x - half, y - half],
-    ]
-
-
 @pytest.fixture
 def scene_dict() -> dict[str, Any]:
     """A valid scene as a fresh dict: a unit square, one obstacle in a box, free start and goal."""
-    return {
-        "format": "planar-planner/scene",
-        "version": 1,
-        "name": "small",
-        "description": "one obstacle",
-        "workspace": {"box": [0.0, 0.0, 10.0, 10.0]},
-        "robot": {"type": "Polygon", "coordinates": [square(0, 0)]},
-        "obstacles": [{"type": "Polygon", "coordinates": [square(5, 5, 1.0)]}],
-        "start": [1.0, 1.0, 0.0],
-        "goal": [9.0, 9.0, 0.0],
-    }
+    return small_scene()

@@ -1,4 +1,4 @@
-"""README.md and docs/ agree with the rest: links, statistics, map of files, navigation."""
+"""README.md and docs/ agree with the rest: links, statistics, navigation."""
 
 from __future__ import annotations
 
@@ -54,12 +54,3 @@ def test_every_statistic_is_explained() -> None:
     section = method.partition("## Statistics")[2].partition("\n## ")[0]
     for key in solve(load_scene("corner")).stats:
         assert f"`{key}`" in section, key
-
-
-def test_every_native_file_is_on_the_map() -> None:
-    method = (ROOT / "docs" / "method.md").read_text(encoding="utf-8")
-    section = method.partition("## Where things are")[2].partition("\n## ")[0]
-    named = set(re.findall(r"`(\w+)\.(?:\*|hpp)`", section))
-    for package in ("pdg", "planar_planner"):
-        for source in (ROOT / package / "native").glob("*.cpp"):
-            assert source.stem in named or source.stem == "bindings", source.name

@@ -9,6 +9,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+
 from documents.fenced import fenced_blocks
 from documents.running import run_page
 

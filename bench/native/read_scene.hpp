@@ -1,4 +1,4 @@
-// Scenes as plain numbers on a stream: what bench/native_bench.py writes of a valid problem.
+// Scenes as plain numbers on a stream: what bench/lib/native.py writes of a valid problem.
 #pragma once
 
 #include <iosfwd>

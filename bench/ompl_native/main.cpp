@@ -1,4 +1,4 @@
-// One run of one of OMPL's planners on a dumped problem (bench/ompl_driver.py), with the core's
+// One run of one of OMPL's planners on a dumped problem (bench/parts/ompl/driver.py), with the core's
 // state check called directly: ompl_native FILE PLANNER SEED LIMIT RESOLUTION prints one JSON line.
 // Preparation and solve are timed apart, the clock running on from the first to the second.
 #include <ompl/base/PlannerTerminationCondition.h>
@@ -81,7 +81,7 @@ planner::PolygonSet read_polygons(std::istream& in) {
   return set;
 }
 
-// In the order in which bench/ompl_driver.py writes.
+// In the order in which bench/parts/ompl/driver.py writes.
 Query read_query(const std::string& file) {
   std::ifstream in(file);
   if (!in) throw std::runtime_error("cannot open " + file);

@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from pathlib import PurePosixPath
 
 import pytest
+
 from architecture.import_graph import (
     ROOT,
     Where,
@@ -41,6 +42,7 @@ PYTHON_ROOMS = (
     "planar_planner.version",
     "planar_planner.errors",
     "planar_planner.tolerances",
+    "planar_planner.certificate_keys",
     "planar_planner.output_files",
     "planar_planner.scene",
     "planar_planner.problem",

@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 import shapely
+
 from oracles.dense_path import check_path
 from oracles.scene_shapes import shapes
-
 from scenarios import comb, maze, snowflake
 from scenarios.catalogue import ENTRIES
 from scenarios.generate import FOLDER, files

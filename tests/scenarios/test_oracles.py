@@ -6,10 +6,10 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 import shapely
+
 from oracles.dense_path import check_path, interpolate
 from oracles.grid import flood, free_cells, make_grid, translational_obstacle, triangles
 from oracles.scene_shapes import shapes
-
 from scenarios.model import box, polygon, scene
 
 

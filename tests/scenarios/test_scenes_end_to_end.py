@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
-from oracles.decisive import FOLDER, listed
-from oracles.dense_path import check_path
 from shapely import affinity
 
+from oracles.decisive import FOLDER, listed
+from oracles.dense_path import check_path
 from planar_planner import load_scene, solve
 
 

@@ -9,10 +9,10 @@ from typing import Literal
 
 import numpy as np
 import pytest
+
 from oracles.decisive import FOLDER, QUICK, SLOW, listed, proves
 from oracles.grid import decide, flood, free_cells, make_grid
 from oracles.scene_shapes import shapes
-
 from scenarios import corner, escape, gear, maze
 
 

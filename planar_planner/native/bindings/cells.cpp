@@ -29,8 +29,7 @@ nb::object array_of(const std::vector<Row>& rows, const std::initializer_list<st
 
 }  // namespace
 
-nb::dict cells(const planner::Planner& planner) {
-  const planner::CellTable table = planner.cells();
+nb::dict table_dict(const planner::CellTable& table) {
   const std::size_t count = table.label.size();
   nb::dict out;
   out["lower"] = array_of<double>(table.lower, {count, 3});
@@ -38,6 +37,10 @@ nb::dict cells(const planner::Planner& planner) {
   out["level"] = array_of<std::uint8_t>(table.level, {count, 3});
   out["label"] = array_of<std::uint8_t>(table.label, {count});
   return out;
+}
+
+nb::dict cells(const planner::Planner& planner) {
+  return table_dict(planner.cells());
 }
 
 nb::dict bottleneck(planner::Planner& planner) {

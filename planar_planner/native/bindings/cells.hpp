@@ -1,5 +1,5 @@
 // The leaves of the subdivision, and where its wall is thinnest, as numpy arrays
-// (planar_planner/cells.py, planar_planner/bottleneck.py).
+// (planar_planner/explain/cells.py, planar_planner/explain/thinnest_place.py).
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -8,6 +8,8 @@
 
 namespace bindings {
 
+// "lower", "upper", "level" and "label" of a table of cells.
+nanobind::dict table_dict(const planner::CellTable& table);
 nanobind::dict cells(const planner::Planner& planner);
 // "way", "depth" and "deepest" of planner::Crossing.
 nanobind::dict bottleneck(planner::Planner& planner);

@@ -1,10 +1,12 @@
 #include "evidence.hpp"
 
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/vector.h>
+
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <string>
 
 #include "planar_planner/native/world/pieces.hpp"
 
@@ -15,238 +17,257 @@ namespace bindings {
 namespace {
 
 using planner::Evidence;
-using planner::FullClaim;
 using planner::PieceName;
 
-template <class... Values>
-nb::list list_of(const Values&... values) {
-  nb::list out;
-  (out.append(values), ...);
-  return out;
+Point point(const pdg::Vec2 p) {
+  return {p.x, p.y};
 }
 
-nb::list point(const pdg::Vec2 p) {
-  return list_of(p.x, p.y);
+bool of_obstacle(const pdg::EdgeOwner owner) {
+  return owner == pdg::EdgeOwner::kObstacle;
 }
 
-const char* owner_name(const pdg::EdgeOwner owner) {
-  return owner == pdg::EdgeOwner::kObstacle ? "obstacle" : "robot";
+bool is_wall(const Evidence& e, const std::uint32_t obstacle) {
+  return e.obstacle_names[obstacle].polygon == planner::kWall;
 }
 
 // k 2^-level with k odd, or 0.
-nb::list plane(const std::uint64_t low) {
+Span plane(const std::uint64_t low) {
   const int zeros = low == 0 ? static_cast<int>(planner::kCoordinateBits) : std::countr_zero(low);
   const int level = std::max(0, static_cast<int>(planner::kCoordinateBits) - zeros);
-  return list_of(level, low >> (planner::kCoordinateBits - static_cast<unsigned>(level)));
+  const auto bits = static_cast<unsigned>(level);
+  return {bits, low >> (planner::kCoordinateBits - bits)};
 }
 
-// [level, k] along each axis; without rotation theta has no extent of its own.
-nb::list box_list(const planner::Extent& e, const planner::Axis flat, const bool rotation) {
-  nb::list sides;
+// Without rotation theta has no extent of its own.
+Box box_of(const planner::Extent& e, const planner::Axis flat, const bool rotation) {
+  Box box{};
   for (planner::Axis axis = 0; axis < planner::kNoAxis; ++axis) {
     const auto shift =
-        e.size[axis] == 0 ? 0 : static_cast<unsigned>(std::countr_zero(e.size[axis]));
+        e.size[axis] == 0 ? 0U : static_cast<unsigned>(std::countr_zero(e.size[axis]));
     if (axis == planner::kTheta && !rotation)
-      sides.append(list_of(0, 0));
+      box[axis] = {0, 0};
     else if (axis == flat)
-      sides.append(plane(e.low[axis]));
+      box[axis] = plane(e.low[axis]);
     else
-      sides.append(list_of(planner::kCoordinateBits - shift, e.low[axis] >> shift));
+      box[axis] = {planner::kCoordinateBits - shift, e.low[axis] >> shift};
   }
-  return sides;
+  return box;
 }
 
-nb::list pair_list(const Evidence& e, const std::uint32_t obstacle, const std::uint16_t robot) {
+PairName pair_name(const Evidence& e, const std::uint32_t obstacle, const std::uint16_t robot) {
   const PieceName a = e.robot_names[robot];
   const PieceName b = e.obstacle_names[obstacle];
-  return list_of(a.polygon, a.index, b.polygon, b.index);
+  return {a.polygon, a.index, b.polygon, b.index};
 }
 
-// {"pair": [robot polygon, piece, obstacle polygon, piece]} or {"wall": name}.
-nb::dict subject(const Evidence& e, const std::uint32_t obstacle, const std::uint16_t robot) {
-  constexpr std::array<const char*, 4> walls{"x_min", "x_max", "y_min", "y_max"};
-  nb::dict out;
-  if (e.obstacle_names[obstacle].polygon == planner::kWall)
-    out["wall"] = walls[e.obstacle_names[obstacle].index];
+NamedCollision collision_of(const Evidence& e, const std::uint32_t obstacle,
+                            const std::uint16_t robot) {
+  NamedCollision out;
+  if (is_wall(e, obstacle))
+    out.wall = e.obstacle_names[obstacle].index;
   else
-    out["pair"] = pair_list(e, obstacle, robot);
+    out.pair = pair_name(e, obstacle, robot);
   return out;
 }
 
-// The edges of each pair that may separate it; a wall has only its own.
-nb::list axes_list(const Evidence& e, const planner::JointProof& proof) {
-  nb::list out;
-  for (const planner::PairAxes& pair : proof.pairs) {
-    if (e.obstacle_names[pair.obstacle].polygon == planner::kWall) continue;
-    nb::list edges;
-    for (const planner::PairAxes::Axis& axis : pair.axes)
-      edges.append(list_of(owner_name(axis.owner), axis.edge));
-    nb::dict item;
-    item["pair"] = pair_list(e, pair.obstacle, pair.robot);
-    item["edges"] = edges;
-    out.append(item);
+NamedTerm term_of(const planner::Problem& problem, const Evidence& e,
+                  const planner::JointTerm& term) {
+  NamedTerm out;
+  out.of = collision_of(e, term.obstacle, term.robot);
+  out.edge = {of_obstacle(term.owner), term.edge};
+  out.vertex = term.vertex;
+  out.weight = term.weight;
+  if (is_wall(e, term.obstacle)) {
+    const int exponent = problem.frame.exponent;
+    const pdg::Vec2 v = problem.robot.pieces[term.robot].edges[term.vertex].vertex;
+    out.wall_vertex = {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent)};
   }
   return out;
 }
 
-nb::dict term_dict(const planner::Planner& of, const Evidence& e, const planner::JointTerm& term) {
-  nb::dict out = subject(e, term.obstacle, term.robot);
-  if (e.obstacle_names[term.obstacle].polygon == planner::kWall) {
-    const int exponent = of.problem().frame.exponent;
-    const pdg::Vec2 v = of.problem().robot.pieces[term.robot].edges[term.vertex].vertex;
-    out["vertex"] = point({std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent)});
-  } else {
-    out["owner"] = owner_name(term.owner);
-    out["edge"] = term.edge;
-    out["vertex"] = term.vertex;
-  }
-  out["weight"] = term.weight;
-  return out;
-}
-
-nb::dict joint_dict(const planner::Planner& of, const Evidence& e,
+NamedJoint joint_of(const planner::Problem& problem, const Evidence& e,
                     const planner::JointProof& proof) {
-  nb::list sums;
+  NamedJoint out;
+  for (const planner::PairAxes& pair : proof.pairs) {
+    if (is_wall(e, pair.obstacle)) continue;  // it has one edge only
+    NamedPairEdges named{pair_name(e, pair.obstacle, pair.robot), {}};
+    for (const planner::PairAxes::Axis& axis : pair.axes)
+      named.edges.push_back({of_obstacle(axis.owner), axis.edge});
+    out.pairs.push_back(std::move(named));
+  }
   for (const planner::JointSum& sum : proof.sums) {
-    nb::list terms;
-    for (const planner::JointTerm& term : sum) terms.append(term_dict(of, e, term));
-    sums.append(terms);
-  }
-  nb::dict out;
-  out["axes"] = axes_list(e, proof);
-  out["sums"] = sums;
-  return out;
-}
-
-nb::list claims_list(const planner::Planner& of, const Evidence& e,
-                     const std::vector<FullClaim>& claims) {
-  nb::list out;
-  for (const FullClaim& claim : claims) {
-    nb::dict item =
-        claim.joint ? nb::dict() : subject(e, claim.witness.obstacle, claim.witness.robot);
-    item["box"] = box_list(claim.box, claim.flat, of.problem().rotation);
-    if (claim.flat != planner::kNoAxis) item["axis"] = claim.flat;
-    if (claim.joint) item["joint"] = joint_dict(of, e, claim.proof);
-    out.append(item);
+    std::vector<NamedTerm>& terms = out.sums.emplace_back();
+    for (const planner::JointTerm& term : sum) terms.push_back(term_of(problem, e, term));
   }
   return out;
 }
 
-nb::dict pieces_dict(const planner::PolygonSet& set, const std::vector<std::uint32_t>& polygons) {
-  nb::dict out;
-  for (const std::uint32_t p : polygons) {
-    nb::list pieces;
-    for (const pdg::ConvexPolygon& piece : planner::planner_pieces(set.polygon(p))) {
-      nb::list vertices;
-      for (const pdg::Vec2 v : piece) vertices.append(point(v));
-      pieces.append(vertices);
-    }
-    out[std::to_string(p).c_str()] = pieces;
+std::vector<NamedClaim> claims_of(const planner::Problem& problem, const Evidence& e,
+                                  const std::vector<planner::FullClaim>& claims) {
+  std::vector<NamedClaim> out;
+  out.reserve(claims.size());
+  for (const planner::FullClaim& claim : claims) {
+    NamedClaim& named = out.emplace_back();
+    named.box = box_of(claim.box, claim.flat, problem.rotation);
+    if (claim.flat != planner::kNoAxis) named.axis = claim.flat;
+    if (claim.joint)
+      named.joint = joint_of(problem, e, claim.proof);
+    else
+      named.collision = collision_of(e, claim.witness.obstacle, claim.witness.robot);
   }
   return out;
 }
 
-nb::dict interval_dict(const Evidence& e, const planner::ProvenInterval& proven) {
-  nb::list apart;
-  for (const planner::SeparatingEdge& edge : proven.edges) {
-    nb::list item = pair_list(e, edge.obstacle, edge.robot);
-    item.append(owner_name(edge.owner));
-    item.append(edge.edge);
-    apart.append(item);
+NamedPolygon polygon_of(const planner::PolygonSet& set, const std::uint32_t p) {
+  NamedPolygon out{p, {}};
+  for (const pdg::ConvexPolygon& piece : planner::planner_pieces(set.polygon(p))) {
+    Vertices& vertices = out.pieces.emplace_back();
+    for (const pdg::Vec2 v : piece) vertices.push_back(point(v));
   }
-  nb::dict out;
-  out["from"] = proven.interval.begin;
-  out["to"] = proven.interval.end;
-  out["apart"] = apart;
   return out;
 }
 
-nb::list segments_list(const Evidence& e) {
-  nb::list segments;
+NamedInterval interval_of(const Evidence& e, const planner::ProvenInterval& proven) {
+  NamedInterval out{proven.interval.begin, proven.interval.end, {}};
+  for (const planner::SeparatingEdge& edge : proven.edges)
+    out.separators.push_back(
+        {pair_name(e, edge.obstacle, edge.robot), {of_obstacle(edge.owner), edge.edge}});
+  return out;
+}
+
+void add_path(const Evidence& e, NamedEvidence& out) {
+  for (const planner::Configuration& q : e.waypoints) out.waypoints.push_back({q.x, q.y, q.theta});
   for (const std::vector<planner::ProvenInterval>& segment : e.segments) {
-    nb::list intervals;
+    std::vector<NamedInterval>& intervals = out.segments.emplace_back();
     for (const planner::ProvenInterval& proven : segment)
-      intervals.append(interval_dict(e, proven));
-    segments.append(intervals);
+      intervals.push_back(interval_of(e, proven));
   }
-  return segments;
 }
 
-nb::dict domain_dict(const planner::Problem& problem) {
-  nb::dict out;
-  out["low"] = point(problem.domain.low);
-  out["size"] = point(problem.domain.size);
-  out["origin"] = point(problem.frame.origin);
-  out["exponent"] = problem.frame.exponent;
-  return out;
-}
-
-void add_barrier(const planner::Planner& of, const Evidence& e, nb::dict& out) {
-  out["domain"] = domain_dict(of.problem());
-  nb::list boxes;
+void add_barrier(const planner::Problem& problem, const Evidence& e, NamedEvidence& out) {
+  out.domain = {point(problem.frame.origin), point(problem.domain.low), point(problem.domain.size),
+                problem.frame.exponent};
   for (const planner::CellBox& box : e.barrier.start_side)
-    boxes.append(box_list(planner::extent_of(box), planner::kNoAxis, of.problem().rotation));
-  out["start_side"] = boxes;
-  out["full"] = claims_list(of, e, e.barrier.cells);
-  out["full_faces"] = claims_list(of, e, e.barrier.faces);
+    out.start_side.push_back(box_of(planner::extent_of(box), planner::kNoAxis, problem.rotation));
+  out.full = claims_of(problem, e, e.barrier.cells);
+  out.full_faces = claims_of(problem, e, e.barrier.faces);
+}
+
+// `robot` is the problem of the scene's own robot, which a disc may stand for in `asked`.
+void add_disc(const planner::Problem& robot, const planner::Problem& asked, const Evidence& e,
+              NamedEvidence& out) {
+  for (const pdg::Vec2 v : asked.scene.robot.points) out.disc.push_back(point(v));
+  const PieceName holder = planner::robot_names(robot.robot)[e.disc_piece];
+  out.disc_holder = {holder.polygon, holder.index};
+}
+
+void add_end(const Evidence& e, NamedEvidence& out) {
+  out.goal_end = e.end == "goal";
+  out.out_of_bounds = e.out_of_bounds;
+  if (!e.out_of_bounds) out.collision = collision_of(e, e.witness.obstacle, e.witness.robot);
+}
+
+void add_pieces(const planner::Problem& robot, const planner::Problem& asked, const Evidence& e,
+                NamedEvidence& out) {
+  for (std::uint32_t p = 0; p < robot.scene.robot.size(); ++p)
+    out.robot_pieces.push_back(polygon_of(robot.scene.robot, p));
+  for (const std::uint32_t p : e.polygons)
+    out.obstacle_pieces.push_back(polygon_of(asked.scene.obstacles, p));
+  if (!asked.scene.workspace) return;
+  const planner::Rectangle r = asked.scene.obstacles.bounds(asked.user_obstacles);
+  out.outside = {r.low.x, r.low.y, r.high.x, r.high.y};
+}
+
+void add_claim_types(nb::module_& m) {
+  nb::class_<NamedPolygon>(m, "NamedPolygon")
+      .def_ro("polygon", &NamedPolygon::polygon)
+      .def_ro("pieces", &NamedPolygon::pieces);
+  nb::class_<NamedEdge>(m, "NamedEdge")
+      .def_ro("of_obstacle", &NamedEdge::of_obstacle)
+      .def_ro("edge", &NamedEdge::edge);
+  nb::class_<NamedCollision>(m, "NamedCollision")
+      .def_ro("pair", &NamedCollision::pair)
+      .def_ro("wall", &NamedCollision::wall);
+  nb::class_<NamedPairEdges>(m, "NamedPairEdges")
+      .def_ro("pair", &NamedPairEdges::pair)
+      .def_ro("edges", &NamedPairEdges::edges);
+  nb::class_<NamedTerm>(m, "NamedTerm")
+      .def_ro("of", &NamedTerm::of)
+      .def_ro("edge", &NamedTerm::edge)
+      .def_ro("vertex", &NamedTerm::vertex)
+      .def_ro("wall_vertex", &NamedTerm::wall_vertex)
+      .def_ro("weight", &NamedTerm::weight);
+  nb::class_<NamedJoint>(m, "NamedJoint")
+      .def_ro("pairs", &NamedJoint::pairs)
+      .def_ro("sums", &NamedJoint::sums);
+  nb::class_<NamedClaim>(m, "NamedClaim")
+      .def_ro("box", &NamedClaim::box)
+      .def_ro("axis", &NamedClaim::axis)
+      .def_ro("collision", &NamedClaim::collision)
+      .def_ro("joint", &NamedClaim::joint);
+}
+
+void add_path_types(nb::module_& m) {
+  nb::class_<NamedSeparator>(m, "NamedSeparator")
+      .def_ro("pair", &NamedSeparator::pair)
+      .def_ro("edge", &NamedSeparator::edge);
+  nb::class_<NamedInterval>(m, "NamedInterval")
+      .def_ro("begin", &NamedInterval::begin)
+      .def_ro("end", &NamedInterval::end)
+      .def_ro("separators", &NamedInterval::separators);
 }
 
 }  // namespace
 
-nb::dict evidence(planner::Planner& planner) {
-  Evidence e;
-  {
-    const nb::gil_scoped_release release;
-    e = planner.evidence();
-  }
-  constexpr std::array<const char*, 5> kinds{"none", "path", "separation", "disc", "end"};
-  const planner::Planner& of =
-      e.kind == planner::ClaimKind::kDisc ? planner.disc_inside() : planner;
-  const planner::Scene& scene = of.problem().scene;
-  nb::dict out;
-  out["kind"] = kinds[static_cast<std::size_t>(e.kind)];
+NamedEvidence evidence(planner::Planner& planner) {
+  const nb::gil_scoped_release release;
+  const Evidence e = planner.evidence();
+  NamedEvidence out;
+  out.kind = e.kind;
   if (e.kind == planner::ClaimKind::kNone) return out;
-  std::vector<std::uint32_t> robot_polygons;
-  for (std::uint32_t p = 0; p < planner.problem().scene.robot.size(); ++p)
-    robot_polygons.push_back(p);
-  out["robot_pieces"] = pieces_dict(planner.problem().scene.robot, robot_polygons);
-  out["obstacle_pieces"] = pieces_dict(scene.obstacles, e.polygons);
-  if (scene.workspace) {
-    const planner::Rectangle outside = scene.obstacles.bounds(of.problem().user_obstacles);
-    out["outside"] = list_of(outside.low.x, outside.low.y, outside.high.x, outside.high.y);
-  }
-  switch (e.kind) {
-    case planner::ClaimKind::kPath: {
-      nb::list waypoints;
-      for (const planner::Configuration& q : e.waypoints)
-        waypoints.append(list_of(q.x, q.y, q.theta, 0));
-      out["waypoints"] = waypoints;
-      out["segments"] = segments_list(e);
-      break;
-    }
-    case planner::ClaimKind::kDisc: {
-      nb::list disc;
-      for (const pdg::Vec2 v : scene.robot.points) disc.append(point(v));
-      out["disc"] = disc;
-      const PieceName holder = planner::robot_names(planner.problem().robot)[e.disc_piece];
-      out["inside"] = list_of(holder.polygon, holder.index);
-      add_barrier(of, e, out);
-      break;
-    }
-    case planner::ClaimKind::kSeparation:
-      add_barrier(of, e, out);
-      break;
-    case planner::ClaimKind::kEnd:
-      out["end"] = e.end;
-      if (e.out_of_bounds)
-        out["reference_bounds"] = true;
-      else
-        out["witness"] = subject(e, e.witness.obstacle, e.witness.robot);
-      break;
-    case planner::ClaimKind::kNone:
-      break;
-  }
+  const planner::Problem& robot = planner.problem();
+  const planner::Problem& asked =
+      e.kind == planner::ClaimKind::kDisc ? planner.disc_inside().problem() : robot;
+  add_pieces(robot, asked, e, out);
+  if (e.kind == planner::ClaimKind::kPath) add_path(e, out);
+  if (e.kind == planner::ClaimKind::kEnd) add_end(e, out);
+  if (e.kind == planner::ClaimKind::kDisc) add_disc(robot, asked, e, out);
+  if (e.kind == planner::ClaimKind::kDisc || e.kind == planner::ClaimKind::kSeparation)
+    add_barrier(asked, e, out);
   return out;
+}
+
+void add_evidence(nb::module_& m) {
+  nb::enum_<planner::ClaimKind>(m, "ClaimKind")
+      .value("NONE", planner::ClaimKind::kNone)
+      .value("PATH", planner::ClaimKind::kPath)
+      .value("SEPARATION", planner::ClaimKind::kSeparation)
+      .value("DISC", planner::ClaimKind::kDisc)
+      .value("END", planner::ClaimKind::kEnd);
+  add_claim_types(m);
+  add_path_types(m);
+  nb::class_<NamedDomain>(m, "NamedDomain")
+      .def_ro("origin", &NamedDomain::origin)
+      .def_ro("low", &NamedDomain::low)
+      .def_ro("size", &NamedDomain::size)
+      .def_ro("exponent", &NamedDomain::exponent);
+  nb::class_<NamedEvidence>(m, "NamedEvidence")
+      .def_ro("kind", &NamedEvidence::kind)
+      .def_ro("robot_pieces", &NamedEvidence::robot_pieces)
+      .def_ro("obstacle_pieces", &NamedEvidence::obstacle_pieces)
+      .def_ro("outside", &NamedEvidence::outside)
+      .def_ro("waypoints", &NamedEvidence::waypoints)
+      .def_ro("segments", &NamedEvidence::segments)
+      .def_ro("domain", &NamedEvidence::domain)
+      .def_ro("start_side", &NamedEvidence::start_side)
+      .def_ro("full", &NamedEvidence::full)
+      .def_ro("full_faces", &NamedEvidence::full_faces)
+      .def_ro("disc", &NamedEvidence::disc)
+      .def_ro("disc_holder", &NamedEvidence::disc_holder)
+      .def_ro("goal_end", &NamedEvidence::goal_end)
+      .def_ro("out_of_bounds", &NamedEvidence::out_of_bounds)
+      .def_ro("collision", &NamedEvidence::collision);
 }
 
 }  // namespace bindings

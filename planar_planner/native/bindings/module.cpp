@@ -21,6 +21,7 @@
 #include "evidence.hpp"
 #include "planar_planner/native/planning/planner.hpp"
 #include "state_check.hpp"
+#include "wall.hpp"
 
 namespace nb = nanobind;
 
@@ -241,6 +242,7 @@ nb::dict check_path(planner::Planner& planner, const Path& path) {
 
 NB_MODULE(_core, m) {
   m.doc() = "Native core of planar_planner; see planar_planner.planner for the public interface.";
+  bindings::add_evidence(m);
   nb::class_<planner::Planner>(m, "Core")
       .def(
           "__init__",
@@ -269,7 +271,8 @@ NB_MODULE(_core, m) {
            nb::call_guard<nb::gil_scoped_release>())
       .def("evidence", &bindings::evidence)
       .def("cells", &bindings::cells)
-      .def("bottleneck", &bindings::bottleneck);
+      .def("bottleneck", &bindings::bottleneck)
+      .def("wall", &bindings::wall, nb::arg("theta"));
   m.def("build_info", &bindings::build_info);
   bindings::add_state_check(m);
 }

@@ -12,18 +12,27 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from planar_planner.checker.case import Rejected
-    from planar_planner.checker.form import CertificateError
-    from planar_planner.checker.verify import verify_certificate
-    from planar_planner.errors import OptionsError, SceneError
-    from planar_planner.explain.cells import Cells, cells_of, cells_on_path, theta_slice
+    from planar_planner.checker.verify import Report, Verification, verify_certificate
+    from planar_planner.errors import (
+        CertificateError,
+        CertificateRejected,
+        OptionsError,
+        OutputError,
+        PlannerError,
+        SceneError,
+    )
+    from planar_planner.explain.cells import Cells, cells_on_path, theta_slice
     from planar_planner.explain.thinnest_place import Bottleneck
+    from planar_planner.formats.parts import ImportOptions
     from planar_planner.load import load_scene
     from planar_planner.margins.find import margin
-    from planar_planner.margins.result import Margin
+    from planar_planner.margins.result import Margin, NarrowPlace
+    from planar_planner.margins.surroundings import NearestPoints
+    from planar_planner.planning.engine import Listener
     from planar_planner.planning.options import Options
     from planar_planner.planning.planner import Planner, solve
     from planar_planner.planning.result import NoPath, PathFound, Result, Undecided
+    from planar_planner.scene.goal_forms import Escape, GoalRegion
     from planar_planner.scene.model import Scene
 
     __version__: str
@@ -31,19 +40,28 @@ if TYPE_CHECKING:
 _HOMES = {
     "Bottleneck": "explain.thinnest_place",
     "Cells": "explain.cells",
-    "CertificateError": "checker.form",
+    "CertificateError": "errors",
+    "CertificateRejected": "errors",
+    "Escape": "scene.goal_forms",
+    "GoalRegion": "scene.goal_forms",
+    "ImportOptions": "formats.parts",
+    "Listener": "planning.engine",
     "Margin": "margins.result",
+    "NarrowPlace": "margins.result",
+    "NearestPoints": "margins.surroundings",
     "NoPath": "planning.result",
     "Options": "planning.options",
     "OptionsError": "errors",
+    "OutputError": "errors",
     "PathFound": "planning.result",
     "Planner": "planning.planner",
-    "Rejected": "checker.case",
+    "PlannerError": "errors",
+    "Report": "checker.verify",
     "Result": "planning.result",
     "Scene": "scene.model",
     "SceneError": "errors",
     "Undecided": "planning.result",
-    "cells_of": "explain.cells",
+    "Verification": "checker.verify",
     "cells_on_path": "explain.cells",
     "load_scene": "load",
     "margin": "margins.find",
@@ -56,18 +74,27 @@ __all__ = [
     "Bottleneck",
     "Cells",
     "CertificateError",
+    "CertificateRejected",
+    "Escape",
+    "GoalRegion",
+    "ImportOptions",
+    "Listener",
     "Margin",
+    "NarrowPlace",
+    "NearestPoints",
     "NoPath",
     "Options",
     "OptionsError",
+    "OutputError",
     "PathFound",
     "Planner",
-    "Rejected",
+    "PlannerError",
+    "Report",
     "Result",
     "Scene",
     "SceneError",
     "Undecided",
-    "cells_of",
+    "Verification",
     "cells_on_path",
     "load_scene",
     "margin",

@@ -1,4 +1,4 @@
-"""The errors that a caller can cause: a bad scene, a bad option. Both print as one line."""
+"""The errors that a caller can cause; all are `PlannerError`, and each prints as one line."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ _SHORT.maxstring = _SHORT.maxother = _SHORT.maxlong = 60
 
 def shown(value: object) -> str:
     """Return `value` as it may appear in a message: on one line and cut to a readable length."""
-    return _SHORT.repr(value)
+    try:
+        return _SHORT.repr(value)
+    except ValueError:  # an integer of more digits than Python prints
+        return "a value that is too long to print"
 
 
 def cut(name: str) -> str:
@@ -25,7 +28,11 @@ def one_line(text: str) -> str:
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
-class SceneError(ValueError):
+class PlannerError(Exception):
+    """What a scene, an option, a certificate or a file can cause: the root of all these errors."""
+
+
+class SceneError(PlannerError, ValueError):
     """A scene that cannot be planned on, with the place and the value that are wrong.
 
     Attributes
@@ -57,5 +64,33 @@ class SceneError(ValueError):
         return one_line(f"{place}: {self.problem}{got}" if place else f"{self.problem}{got}")
 
 
-class OptionsError(ValueError):
+class OptionsError(PlannerError, ValueError):
     """A limit or tolerance outside its legal range."""
+
+
+class OutputError(PlannerError):
+    """A file or stream that cannot be written."""
+
+
+class CertificateError(PlannerError, ValueError):
+    """A certificate that cannot be read, or that is rejected.
+
+    Attributes
+    ----------
+    place : str
+        Where, from the top of the certificate: ``segments[0][1].apart[3]``. Empty for the whole.
+    problem : str
+        What is wrong there, and what is expected instead.
+    """
+
+    def __init__(self, place: str, problem: str) -> None:
+        super().__init__(place, problem)
+        self.place = place
+        self.problem = problem
+
+    def __str__(self) -> str:
+        return ": ".join(part for part in (self.place, self.problem) if part)
+
+
+class CertificateRejected(CertificateError):  # noqa: N818  (the base says that it is an error)
+    """A certificate with a claim that is false, or that proves less than it claims."""

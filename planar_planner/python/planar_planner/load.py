@@ -10,7 +10,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from planar_planner.errors import SceneError
 from planar_planner.formats import registry
@@ -18,22 +18,25 @@ from planar_planner.formats.importing import read_scene
 from planar_planner.formats.parts import ImportOptions
 from planar_planner.scene import fields
 from planar_planner.scene.builtin import builtin_scenes
-from planar_planner.scene.json_file import file_bytes, parse, plain_json
-from planar_planner.scene.model import Scene, _checked
+from planar_planner.scene.json_file import file_bytes, parse
+from planar_planner.scene.json_form import scene_of_json
+from planar_planner.scene.model import Scene, with_ends
+from planar_planner.scene.plain import plain
+
+SceneLike: TypeAlias = Scene | str | os.PathLike[str] | Mapping[str, Any]
+"""A scene, or anything that `load_scene` makes one of."""
 
 
-def load_scene(
-    scene: str | os.PathLike[str] | Mapping[str, Any], importing: ImportOptions | None = None
-) -> Scene:
+def load_scene(scene: SceneLike, importing: ImportOptions | None = None) -> Scene:
     """Read a scene.
 
     Parameters
     ----------
-    scene : str, path or mapping
+    scene : str, path, mapping or Scene
         The name of a built-in scene, the path of a scene file or of a file in an outside format
         (``docs/formats.md``), or the content of a scene file. A string that names a built-in scene
         is that scene; write ``./name`` for a file called the same. In a mapping, numpy arrays and
-        objects with ``__geo_interface__`` (shapely) are welcome.
+        objects with ``__geo_interface__`` (shapely) are welcome. A `Scene` is returned as it is.
     importing : ImportOptions, optional
         Start and goal to use instead of the scene's own, and for files in outside formats all that
         they do not say.
@@ -49,18 +52,24 @@ def load_scene(
         If there is no such scene, or it is no JSON object with the right fields.
     """
     options = importing or ImportOptions()
+    if isinstance(scene, Scene):
+        return _with_ends(scene, options)
     if isinstance(scene, Mapping):
-        return _with_ends(_checked(plain_json(scene), "<dict>", "scene"), options)
+        try:
+            content = plain(scene)
+        except SceneError as error:
+            raise error.in_source("<dict>") from None
+        return _with_ends(scene_of_json(content, "<dict>", "scene"), options)
     if isinstance(scene, str):
         known = builtin_scenes()
         if scene in known:
             content = parse(file_bytes(known[scene], scene), scene)
-            return _with_ends(_checked(content, scene, scene), options)
+            return _with_ends(scene_of_json(content, scene, scene), options)
         if not _looks_like_path(scene):
             hint = fields.close_matches(scene, known) or "; the command list shows the names"
             raise SceneError(f"no built-in scene and no file of this name{hint}", source=scene)
     elif not isinstance(scene, os.PathLike):
-        raise TypeError(f"a scene is a name, a path or a mapping, not {type(scene).__name__}")
+        raise TypeError(f"a scene is a Scene, name, path or mapping, not {type(scene).__name__}")
     return _from_file(Path(scene), options)
 
 
@@ -72,11 +81,9 @@ def _from_file(path: Path, options: ImportOptions) -> Scene:
     if kind is None:
         content = parse(data, source)
         if not registry.is_geojson(content):
-            return _with_ends(_checked(content, source, path.stem), options)
+            return _with_ends(scene_of_json(content, source, path.stem), options)
         kind = registry.GEOJSON
-    imported = read_scene(kind, path, data, options)
-    scene = _checked(imported.content, source, path.stem)
-    return replace(scene, notes=imported.notes, holds_for=imported.holds_for)
+    return read_scene(kind, path, data, options)
 
 
 def _with_ends(scene: Scene, options: ImportOptions) -> Scene:
@@ -88,11 +95,7 @@ def _with_ends(scene: Scene, options: ImportOptions) -> Scene:
             raise SceneError(
                 f"is a scene, and --{name} is for files in outside formats", source=scene.source
             )
-    return replace(
-        scene,
-        start=scene.start if options.start is None else options.start,
-        goal=scene.goal if options.goal is None else options.goal,
-    )
+    return with_ends(scene, options.start, options.goal)
 
 
 def _looks_like_path(text: str) -> bool:

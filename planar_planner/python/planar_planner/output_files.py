@@ -10,11 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TextIO
 
-from planar_planner.errors import one_line
-
-
-class OutputError(Exception):
-    """Something could not be written; prints as one line."""
+from planar_planner.errors import OutputError, one_line
 
 
 def emit(text: str) -> None:

@@ -1,9 +1,9 @@
 // Bodies of the depth library, as inputs.
 #pragma once
 
-#include "exact.hpp"
 #include "generate.hpp"
 #include "pdg/native/separation/c_obstacle_query.hpp"
+#include "truth/exact.hpp"
 
 namespace rounding {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ball.hpp"
+#include "truth/ball.hpp"
 
 namespace rounding {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "exact.hpp"
 #include "generate.hpp"
 #include "planar_planner/native/labels/label.hpp"
 #include "planar_planner/native/world/problem.hpp"
+#include "truth/exact.hpp"
 
 namespace rounding {
 

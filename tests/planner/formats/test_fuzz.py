@@ -8,17 +8,17 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from test_dxf import box, dxf
-from test_ompl_app import WALLS, dae
-from test_svg import BOX, ENDS, svg
-from test_text_formats import FULL, ROB, WKT_SCENE, YAP
-from test_tpcap import BAY
 
 from planar_planner import SceneError
 from planar_planner.errors import one_line
 from planar_planner.formats.parts import ImportOptions
 from planar_planner.load import load_scene
 from planar_planner.problem.make import make_problem
+from worlds.outside_files.dxf import box, dxf
+from worlds.outside_files.ompl_app import WALLS, dae
+from worlds.outside_files.svg import BOX, ENDS, svg
+from worlds.outside_files.texts import FULL, ROB, WKT_SCENE, YAP
+from worlds.outside_files.tpcap import BAY
 
 SEEDS = {
     "f.wkt": WKT_SCENE,

@@ -9,12 +9,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from format_help import read
 from PIL import Image
 
 from planar_planner import SceneError, solve
 from planar_planner.cli.main import main
 from planar_planner.problem.make import make_problem
+from support.format_help import read
 
 FREE, UNKNOWN, WALL = 254, 205, 0
 BODY = "[[-0.3, -0.2], [0.3, -0.2], [0.3, 0.2], [-0.3, 0.2]]"

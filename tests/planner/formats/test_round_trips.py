@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from format_help import convert, same_geometry
 
 from planar_planner import load_scene, solve
 from planar_planner.formats.parts import ImportOptions
 from planar_planner.problem.make import make_problem
+from support.format_help import convert, same_geometry
 
 SCENES = ("corner", "gear", "bug-trap", "slot-jammed")
 

@@ -7,18 +7,12 @@ from pathlib import Path
 
 import pytest
 import shapely
-from format_help import convert, read, same_geometry
 
 from planar_planner import Scene, SceneError, load_scene, solve
 from planar_planner.cli.main import main
 from planar_planner.problem.make import make_problem
-
-BOX = '<rect id="robot" x="-1" y="-1" width="2" height="2"/>'
-ENDS = '<circle id="start" cx="10" cy="-5" r="1"/><path id="goal" d="M 30 -5 v -4"/>'
-
-
-def svg(*elements: str, head: str = "") -> str:
-    return f'<svg xmlns="http://www.w3.org/2000/svg" {head}>{"".join(elements)}</svg>'
+from support.format_help import convert, read, same_geometry
+from worlds.outside_files.svg import BOX, ENDS, svg
 
 
 def shape(scene: Scene, k: int = 0) -> shapely.Polygon:

@@ -68,22 +68,22 @@ KNOWN = {
 @pytest.mark.parametrize("name", KNOWN)
 def test_the_bracket_holds_the_margin(name: str) -> None:
     made, expected, binding = KNOWN[name]
-    found = margin(made, tolerance=1e-3)
+    found = margin(made, width=1e-3)
     assert found.lower <= expected <= found.upper
     assert found.upper - found.lower <= 1e-3
     assert (found.decided, found.binding) == (True, binding)
     assert found.verdict == ("path" if expected > 0.0 else "no_path")
 
 
-@pytest.mark.parametrize("tolerance", [1e-1, 1e-5])
-def test_the_bracket_is_as_narrow_as_asked(tolerance: float) -> None:
-    found = margin(_slit(0.5, 0.3), tolerance=tolerance)
+@pytest.mark.parametrize("width", [1e-1, 1e-5])
+def test_the_bracket_is_as_narrow_as_asked(width: float) -> None:
+    found = margin(_slit(0.5, 0.3), width=width)
     assert found.lower <= 0.1 <= found.upper
-    assert 0.0 < found.upper - found.lower <= tolerance
+    assert 0.0 < found.upper - found.lower <= width
 
 
 def test_scaling_a_bar_through_a_slit() -> None:
-    found = margin(_slit(0.5, 0.3), by="scale", tolerance=1e-4)
+    found = margin(_slit(0.5, 0.3), by="scale", width=1e-4)
     assert found.lower <= 5.0 / 3.0 <= found.upper
     assert found.upper - found.lower <= 1e-4
     assert (found.monotone, found.binding, found.verdict) == (True, "way", "path")
@@ -95,14 +95,14 @@ def test_scaling_about_the_centroid() -> None:
         [[x + 1.0, y] for x, y in ring] for ring in content["robot"]["coordinates"]
     ]
     content["start"], content["goal"] = [-3.4, 0.0, 0.0], [1.4, 0.0, 0.0]
-    found = margin(content, by="scale", about="centroid", tolerance=1e-3)
+    found = margin(content, by="scale", about="centroid", width=1e-3)
     assert found.lower <= 5.0 / 3.0 <= found.upper
     assert found.monotone
-    assert not margin(content, by="scale", about="reference", tolerance=1e-1).monotone
+    assert not margin(content, by="scale", about="reference", width=1e-1).monotone
 
 
 def test_the_bottleneck_is_in_the_slit() -> None:
-    found = margin(_slit(0.5, 0.3), tolerance=1e-3)
+    found = margin(_slit(0.5, 0.3), width=1e-3)
     place = found.bottleneck
     assert place is not None
     assert abs(place.configuration[0]) < 1.2
@@ -118,7 +118,7 @@ def test_the_bottleneck_is_in_the_slit() -> None:
 def test_a_start_that_collides_is_freed_by_shrinking() -> None:
     content = _slit(0.5, 0.3)
     content["start"] = [-3.2, 0.0, 0.0]  # 0.1 beyond the workspace
-    found = margin(content, tolerance=1e-3)
+    found = margin(content, width=1e-3)
     assert (found.binding, found.verdict) == ("start", "no_path")
     assert found.lower <= -0.1 <= found.upper
     assert found.start_clearance == 0.0
@@ -136,7 +136,7 @@ def test_nothing_in_the_way() -> None:
 
 
 def test_a_limit_is_told_with_the_bracket_reached() -> None:
-    found = margin(slot(1.4), Options(max_cells=1), tolerance=1e-4)
+    found = margin(slot(1.4), Options(max_cells=1), width=1e-4)
     assert found.reason
     assert not found.decided
     assert found.lower <= 0.075 <= found.upper
@@ -145,16 +145,16 @@ def test_a_limit_is_told_with_the_bracket_reached() -> None:
 def test_a_touching_start_leaves_the_sign_open() -> None:
     content = _slit(0.5, 0.3)
     content["start"] = [-3.1, 0.0, 0.0]  # touches the workspace
-    found = margin(content, tolerance=1e-3)
+    found = margin(content, width=1e-3)
     assert found.lower <= 0.0 <= found.upper
     assert found.binding == "start"
     assert not found.decided
 
 
 def test_refused() -> None:
-    for tolerance in (0.0, -1.0, math.nan, math.inf):
-        with pytest.raises(OptionsError, match="tolerance must be positive and finite"):
-            margin("slot", tolerance=tolerance)
+    for width in (0.0, -1.0, math.nan, math.inf):
+        with pytest.raises(OptionsError, match="width must be positive and finite"):
+            margin("slot", width=width)
     with pytest.raises(SceneError, match="reference_bounds"):
         content = _slit(0.5, 0.3)
         content["reference_bounds"] = [-1.0, -1.0, 1.0, 1.0]

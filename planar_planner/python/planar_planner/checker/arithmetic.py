@@ -1,7 +1,11 @@
-"""Vectors of integers, and cosines and sines as integers with a known error.
+"""Arithmetic on integers: vectors, exactly; angles, cosines and sines with a known error.
 
-Lengths are integers in units of 2^-UNIT, which hold the doubles of scenes and the corners of boxes
-exactly; cosines and sines are integers in units of 2^-BITS, off by at most one.
+A length is an integer in units of 2^-LENGTH_BITS. These units hold the doubles of scenes and the
+corners of boxes exactly, so sums and products of lengths are exact.
+
+An angle is radians + 2π turns, both exact fractions, because scenes write radians and boxes count
+turns. Angles become integers in units of 2^-ANGLE_BITS, cosines and sines in units of
+2^-ROTATION_BITS and off by at most one.
 """
 
 from __future__ import annotations
@@ -10,93 +14,101 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import TypeVar
 
-from planar_planner.checker.form import UNIT
-
-BITS, WORK = 120, 220  # bits after the binary point of cosines and of angles
-
-
-ONE, HALF_TURN = 1 << UNIT, Fraction(1, 2)
-
+LENGTH_BITS = 320
+"""Bits after the binary point of lengths: 219 for the doubles of scenes, 60 for the levels of
+boxes, and some to spare."""
+ONE = 1 << LENGTH_BITS
+"""The length 1."""
 
 Vector = tuple[int, int]
+Ring = list[Vector]
+Polygon = list[Ring]
+"""Rings with the interior on the left: the outer one, then the holes."""
+Rectangle = tuple[int, int, int, int]
+"""xmin, ymin, xmax, ymax."""
+
+ROTATION_BITS = 120
+ANGLE_BITS = 220
+TURNS_ERROR = Fraction(1, 1 << 180)
+"""What `turns_of` is off by at most; π is off by 2^-220, an angle is at most 2^20."""
+
+Rotation = tuple[int, int]
+"""Cosine and sine."""
+
+_Item = TypeVar("_Item")
 
 
-Rotation = tuple[int, int]  # cos, sin
+def units(number: float) -> int:
+    """Return a double in units of length; those of scenes are multiples of 2^-219."""
+    above, below = number.as_integer_ratio()
+    return above << (LENGTH_BITS + 1 - below.bit_length())
 
 
-Region = tuple[int, int, int, int]  # xmin, ymin, xmax, ymax
-
-
-def _minus(a: Vector, b: Vector) -> Vector:
+def minus(a: Vector, b: Vector) -> Vector:
+    """Return a − b."""
     return a[0] - b[0], a[1] - b[1]
 
 
-def _dot(a: Vector, b: Vector) -> int:
+def dot(a: Vector, b: Vector) -> int:
+    """Return a · b."""
     return a[0] * b[0] + a[1] * b[1]
 
 
-def _cross(a: Vector, b: Vector) -> int:
+def cross(a: Vector, b: Vector) -> int:
+    """Return a × b, positive if b is to the left of a."""
     return a[0] * b[1] - a[1] * b[0]
 
 
-def _sides(ring: Sequence[Any]) -> Iterator[tuple[Any, Any]]:
+def cyclic_pairs(ring: Sequence[_Item]) -> Iterator[tuple[_Item, _Item]]:
+    """Return each item with its successor; the last item's is the first."""
     return zip(ring, [*ring[1:], *ring[:1]], strict=True)
 
 
-def _region(points: Iterable[Vector]) -> Region:
+def bounding_box(points: Iterable[Vector]) -> Rectangle:
+    """Return the least rectangle that holds the points."""
     xs, ys = zip(*points, strict=True)
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def _apart(a: Region, b: Region) -> bool:  # in their interiors
+def interiors_apart(a: Rectangle, b: Rectangle) -> bool:
+    """Whether the interiors of two rectangles have no point in common."""
     return a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
 
 
-def _atan_inverse(n: int) -> int:  # atan(1/n) in 2^-(WORK + 20), off by less than 2^10
-    total, power, k = 0, (1 << (WORK + 20)) // n, 1
+def _atan_inverse(n: int) -> int:
+    """Return atan(1/n) in units of 2^-(ANGLE_BITS + 20), off by less than 2^10."""
+    total, power, k = 0, (1 << (ANGLE_BITS + 20)) // n, 1
     while power:
         total += power // k if k % 4 == 1 else -(power // k)
         power, k = power // (n * n), k + 2
     return total
 
 
-PI = (16 * _atan_inverse(5) - 4 * _atan_inverse(239)) >> 20  # in 2^-WORK, off by at most one
+PI = (16 * _atan_inverse(5) - 4 * _atan_inverse(239)) >> 20
+"""π in units of 2^-ANGLE_BITS, off by at most one; J. Machin's formula."""
 
 
-def fixed(radians: Fraction, turns: Fraction) -> int:
-    """Return radians + 2π turns, both at most 2^22, in 2^-WORK: off by less than 2^24."""
-    return math.floor(radians * (1 << WORK)) + math.floor(2 * turns * PI)
+def angle_units(radians: Fraction, turns: Fraction) -> int:
+    """Return radians + 2π turns, both at most 2^22, in units of angle: off by less than 2^24."""
+    return math.floor(radians * (1 << ANGLE_BITS)) + math.floor(2 * turns * PI)
+
+
+def turns_of(theta: float) -> Fraction:
+    """Return an angle in turns, off by at most `TURNS_ERROR`; 0 is exact."""
+    return Fraction(angle_units(Fraction(theta), Fraction()), 2 * PI)
 
 
 @lru_cache(1 << 16)
 def rotation(radians: Fraction, turns: Fraction) -> Rotation:
-    """Return cos and sin of radians + 2π turns."""
-    angle = fixed(radians, turns)
+    """Return the cosine and sine of radians + 2π turns."""
+    angle = angle_units(radians, turns)
     quarters = (4 * angle + PI) // (2 * PI)
     angle -= quarters * PI // 2  # now at most an eighth of a turn
-    sums, term, k = [0, 0], 1 << WORK, 0
+    sums, term, k = [0, 0], 1 << ANGLE_BITS, 0
     while term not in (0, -1):  # Taylor's series alternates: the rest is less than the last term
         sums[k % 2] += term if k % 4 < 2 else -term
-        term, k = (term * angle >> WORK) // (k + 1), k + 1
-    c, s = ((part >> (WORK - BITS - 1)) + 1 >> 1 for part in sums)
+        term, k = (term * angle >> ANGLE_BITS) // (k + 1), k + 1
+    c, s = ((part >> (ANGLE_BITS - ROTATION_BITS - 1)) + 1 >> 1 for part in sums)
     return ((c, s), (-s, c), (-c, -s), (s, -c))[quarters % 4]
-
-
-class Extent(NamedTuple):
-    """A box, face or point: the corners of its translations; its angles, radians + 2π turns."""
-
-    corners: list[Vector]
-    first: Fraction  # turns
-    last: Fraction
-    radians: Fraction = Fraction()
-
-    def ends(self) -> list[Rotation]:
-        """Return the rotations at both ends, of a single angle only one."""
-        return [rotation(self.radians, turns) for turns in sorted({self.first, self.last})]
-
-    def halves(self) -> list[Extent]:
-        """Return the halves of the angles."""
-        middle = (self.first + self.last) / 2
-        return [self._replace(last=middle), self._replace(first=middle)]

@@ -1,204 +1,170 @@
-"""A certificate's case: the pieces, axes and normals it names, checked to be what they claim."""
+"""The case that a certificate is about: the scene in integers, and the certificate's pieces of it.
+
+docs/certificate.md, "Common part", says how polygons are numbered and what the walls are.
+"""
 
 from __future__ import annotations
 
-import math
-from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import chain, pairwise
-from typing import Any, NamedTuple
+from itertools import pairwise
+from typing import NamedTuple
 
+from planar_planner import certificate_keys as keys
 from planar_planner.checker.arithmetic import (
     ONE,
-    Region,
+    Polygon,
+    Rectangle,
+    Ring,
     Vector,
-    _cross,
-    _dot,
-    _minus,
-    _region,
-    _sides,
+    bounding_box,
+    cross,
+    cyclic_pairs,
+    units,
 )
-from planar_planner.checker.form import Finding, units
+from planar_planner.checker.demands import demand
 from planar_planner.checker.goal_area import GoalArea
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.checker.pieces import Edge, Pieces, checked_pieces
+from planar_planner.checker.records import Certificate
+from planar_planner.problem.goal import Goal, GoalSet
 from planar_planner.problem.make import Polygons, Problem
+from planar_planner.scene.fields import Configuration
 
-NORMALS = {"x_min": (ONE, 0), "x_max": (-ONE, 0), "y_min": (0, ONE), "y_max": (0, -ONE)}  # of walls
-
-
-OTHER = {"robot": "obstacle", "obstacle": "robot"}
-
-
-Polygon = list[list[Vector]]  # rings with the interior on the left: outer one, holes
-
-
-Pose = tuple[Vector, float]  # translation, theta
+WALL_NORMALS: dict[str, Vector] = {
+    keys.X_MIN: (ONE, 0),
+    keys.X_MAX: (-ONE, 0),
+    keys.Y_MIN: (0, ONE),
+    keys.Y_MAX: (0, -ONE),
+}
+"""Outward normals of the walls, which are half-planes: they point into the workspace."""
 
 
-Pair = tuple[int, int, int, int]  # p, i, q, j
+class Pose(NamedTuple):
+    """A configuration: exact translation, theta in radians as the scene writes it."""
+
+    translation: Vector
+    theta: float
 
 
-Axis = tuple[str, int]  # an edge of a pair: owner and number
-
-
-class Rejected(Finding):
-    """The first claim found that is false, or that the certificate does not prove."""
-
-
-def demand(holds: bool, place: str, problem: str) -> None:
-    """Reject the certificate unless a claim holds."""
-    if not holds:
-        raise Rejected(place, problem)
-
-
-class Edge(NamedTuple):
-    """An edge of an obstacle or of the robot; a wall is an edge of an obstacle."""
-
-    base: Vector  # its first vertex
-    normal: Vector  # outward
-    obstacle: bool
-
-    def value(self, t: Vector) -> int:
-        """Return n · (t − base)."""
-        return _dot(self.normal, _minus(t, self.base))
-
-    def term(self, v: Vector, t: Vector) -> tuple[int, int, int]:
-        """Return D, E, C of its separating-axis function for one vertex, at translation t."""
-        n = self.normal
-        if self.obstacle:  # n · R v + n · (t − base)
-            return _dot(n, v), _cross(v, n), self.value(t)
-        u = _minus(v, t)  # R n · (v − t) − n · base
-        return _dot(n, u), _cross(n, u), -_dot(n, self.base)
-
-
-class Piece(NamedTuple):
-    """A convex polygon."""
-
-    vertices: list[Vector]
-    edges: list[Edge]
-    region: Region  # bounding box
-
-
-def find(place: str, things: Any, *names: Any) -> Any:
-    """Return what a certificate names."""
-    try:
-        for name in names:
-            things = things[name]
-    except LookupError:
-        raise Rejected(place, f"names what is not there: {names}") from None
-    return things
-
-
-@dataclass
+@dataclass(frozen=True, eq=False)
 class Case:
-    """The scene in integers, and the certificate's pieces."""
+    """The scene in integers, and the certificate's pieces.
 
-    polygons: dict[str, dict[str, Polygon]]  # by owner and number
+    Attributes
+    ----------
+    robot, obstacles : dict of Polygon
+        By number.
+    walls : dict of Edge
+        Of the workspace, by name; empty if there is none.
+    bounds : dict of Edge
+        The same of the reference point's bounds.
+    turning : bool
+        Whether the robot may turn.
+    start, goal : Pose
+        The goal may be an area instead.
+    pieces : Pieces
+        Convex, and a partition of their polygons.
+    """
+
+    robot: dict[str, Polygon]
+    obstacles: dict[str, Polygon]
     walls: dict[str, Edge]
-    bounds: dict[str, Edge]  # of the reference point
+    bounds: dict[str, Edge]
     turning: bool
     start: Pose
     goal: Pose | GoalArea
-    pieces: dict[str, dict[str, list[Piece]]]
+    pieces: Pieces
 
-    def pair(self, place: str, pair: Pair) -> dict[str, Piece]:
-        """Return the pieces that a pair names."""
-        names = zip(OTHER, (pair[:2], pair[2:]), strict=True)
-        return {owner: find(place, self.pieces[owner], str(n), i) for owner, (n, i) in names}
-
-    def edge(self, place: str, pair: Pair, choice: Axis) -> tuple[Edge, list[Vector]]:
-        """Return an edge of one piece of a pair, and the vertices of the other."""
-        pieces, (owner, number) = self.pair(place, pair), choice
-        return find(place, pieces[owner].edges, number), pieces[OTHER[owner]].vertices
-
-    def in_bounds(self, t: Vector) -> bool:
+    def in_bounds(self, translation: Vector) -> bool:
         """Whether the reference point is within its bounds."""
-        return all(edge.value(t) >= 0 for edge in self.bounds.values())
+        return all(edge.height(translation) >= 0 for edge in self.bounds.values())
 
     @cached_property
-    def outline(self) -> list[Vector]:
-        """Vertices of the robot; its holes do not count."""
-        return [v for polygon in self.polygons["robot"].values() for v in polygon[0]]
+    def outline(self) -> Ring:
+        """The vertices of the robot's outer rings."""
+        return [v for polygon in self.robot.values() for v in polygon[0]]
 
 
-def make_case(problem: Problem, content: Mapping[str, Any]) -> Case:
-    """Turn the scene's doubles into integers, orient its rings, number what lies outside."""
-
-    def polygons(shapes: Polygons | None) -> Iterator[Polygon]:
-        if shapes is None:
-            return
-        points = [(units(x), units(y)) for x, y in shapes.coords.tolist()]
-        rings = [points[a:b] for a, b in pairwise(shapes.ring_starts.tolist())]
-        for first, end in pairwise(shapes.polygon_starts.tolist()):
-            left = [sum(_cross(a, b) for a, b in _sides(ring)) > 0 for ring in rings[first:end]]
-            yield [r if left[k] == (k == 0) else r[::-1] for k, r in enumerate(rings[first:end])]
-
-    def edges(box: Any) -> dict[str, Edge]:
-        corners = {"min": box[:2], "max": box[2:]} if box else {}
-        return {w: Edge(corners[w[2:]], n, True) for w, n in NORMALS.items() if box}
-
-    boxes = problem.workspace_box, problem.reference_bounds
-    walls, bounds = (box and tuple(map(units, box)) for box in boxes)
-    obstacles = list(polygons(problem.obstacles))
-    for outer, *holes in polygons(problem.workspace):
-        walls = _region(outer)
-        xmin, ymin, xmax, ymax = outside = content.get("outside", walls)
-        frame = [(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)]
-        larger = all(map(int.__lt__, outside[:2] + walls[2:], walls[:2] + outside[2:]))
-        demand(larger, "outside", "does not hold the workspace in its interior")
-        obstacles += [[frame, outer[::-1]], *([hole[::-1]] for hole in holes)]
-
-    def pose(x: float, y: float, theta: float) -> Pose:
-        return (units(x), units(y)), theta
-
-    goal: Pose | GoalArea
-    if isinstance(problem.goal, GoalRegion):
-        angles = problem.goal.angles if problem.rotation else None
-        goal = GoalArea(list(polygons(problem.goal.polygons)), angles)
-    else:
-        goal = pose(*problem.goal)
-    owned = {"robot": polygons(problem.robot), "obstacle": obstacles}
-    numbered = {o: {str(i): shape for i, shape in enumerate(of)} for o, of in owned.items()}
-    pieces: Any = {owner: {} for owner in OTHER}
-    start = pose(*problem.start)
-    return Case(numbered, edges(walls), edges(bounds), problem.rotation, start, goal, pieces)
+def make_case(problem: Problem, certificate: Certificate) -> Case:
+    """Turn the scene's doubles into integers, and check the certificate's pieces against it."""
+    walls, beyond = _workspace(problem, certificate)
+    robot = _numbered(_polygons(problem.robot))
+    obstacles = _numbered([*_polygons(problem.obstacles), *beyond])
+    pieces = Pieces(
+        checked_pieces(keys.ROBOT_PIECES, robot, certificate.robot_pieces, of_obstacle=False),
+        checked_pieces(
+            keys.OBSTACLE_PIECES, obstacles, certificate.obstacle_pieces, of_obstacle=True
+        ),
+    )
+    bounds = problem.reference_bounds
+    return Case(
+        robot=robot,
+        obstacles=obstacles,
+        walls=_box_edges(walls),
+        bounds=_box_edges(bounds and _rectangle(bounds)),
+        turning=problem.rotation,
+        start=_pose(problem.start),
+        goal=_goal(problem.goal, problem.rotation),
+        pieces=pieces,
+    )
 
 
-def check_pieces(case: Case, content: Mapping[str, Any]) -> None:
-    """Check that the pieces of a polygon are convex and partition it."""
-    for owner, polygons in case.polygons.items():
-        for number, pieces in content[f"{owner}_pieces"].items():
-            place = f"{owner}_pieces.{number}"
-            check_partition(place, find(place, polygons, number), pieces)
-            case.pieces[owner][number] = [
-                convex_piece(f"{place}[{i}]", piece, owner == "obstacle")
-                for i, piece in enumerate(pieces)
-            ]
+def _workspace(
+    problem: Problem, certificate: Certificate
+) -> tuple[Rectangle | None, list[Polygon]]:
+    """Return the box of the walls, and the polygons that a polygonal workspace leaves outside."""
+    if problem.workspace is None:
+        return problem.workspace_box and _rectangle(problem.workspace_box), []
+    ((outer, *holes),) = _polygons(problem.workspace)
+    walls = bounding_box(outer)
+    xmin, ymin, xmax, ymax = certificate.outside or walls
+    larger = xmin < walls[0] and ymin < walls[1] and walls[2] < xmax and walls[3] < ymax
+    demand(larger, keys.OUTSIDE, "does not hold the workspace in its interior")
+    frame = [(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)]
+    return walls, [[frame, outer[::-1]], *([hole[::-1]] for hole in holes)]
 
 
-def convex_piece(place: str, vertices: list[Vector], obstacle: bool) -> Piece:
-    """Return a piece, having checked that it turns left only, and once round."""
-    sides = [_minus(b, a) for a, b in _sides(vertices)]
-    upper = [y > 0 or (y == 0 and x > 0) for x, y in sides]
-    left = all(_cross(a, b) > 0 or (_cross(a, b) == 0 < _dot(a, b)) for a, b in _sides(sides))
-    once = sum(b and not a for a, b in _sides(upper)) == 1
-    demand(left and once, place, "is not convex, counter-clockwise")
-    edges = [Edge(a, (dy, -dx), obstacle) for a, (dx, dy) in zip(vertices, sides, strict=True)]
-    return Piece(vertices, edges, _region(vertices))
+def _polygons(polygons: Polygons) -> Iterator[Polygon]:
+    """Yield polygons with outer rings counter-clockwise and holes clockwise."""
+    points = [(units(x), units(y)) for x, y in polygons.coords.tolist()]
+    rings = [points[a:b] for a, b in pairwise(polygons.ring_starts.tolist())]
+    for first, end in pairwise(polygons.polygon_starts.tolist()):
+        outer, *holes = rings[first:end]
+        yield [_turned(outer, left=True), *(_turned(hole, left=False) for hole in holes)]
 
 
-def check_partition(place: str, polygon: Polygon, pieces: list[list[Vector]]) -> None:
-    """Check that the boundaries of the pieces add up to the polygon's, on every line."""
-    # A directed segment from a to b makes the sum over its line jump by +1 at a and −1 at b, either
-    # way it runs; and a sum that is zero far out is zero if its jumps cancel.
-    jumps: dict[Any, int] = defaultdict(int)
-    for sign, rings in ((1, pieces), (-1, polygon)):
-        for a, b in chain.from_iterable(map(_sides, rings)):
-            dx, dy = _minus(b, a)
-            scale = math.gcd(dx, dy) * (1 if (dx, dy) > (0, 0) else -1) or 1
-            line = dx // scale, dy // scale, _cross((dx // scale, dy // scale), a)
-            jumps[line, a] += sign
-            jumps[line, b] -= sign
-    demand(not any(jumps.values()), place, "the pieces do not partition the polygon")
+def _turned(ring: Ring, *, left: bool) -> Ring:
+    turns_left = sum(cross(a, b) for a, b in cyclic_pairs(ring)) > 0
+    return ring if turns_left == left else ring[::-1]
+
+
+def _numbered(polygons: Iterator[Polygon] | list[Polygon]) -> dict[str, Polygon]:
+    return {str(number): polygon for number, polygon in enumerate(polygons)}
+
+
+def _rectangle(box: tuple[float, float, float, float]) -> Rectangle:
+    xmin, ymin, xmax, ymax = map(units, box)
+    return xmin, ymin, xmax, ymax
+
+
+def _box_edges(box: Rectangle | None) -> dict[str, Edge]:
+    """Return the sides of a box as edges of what lies outside it."""
+    if box is None:
+        return {}
+    low, high = box[:2], box[2:]
+    bases = {keys.X_MIN: low, keys.X_MAX: high, keys.Y_MIN: low, keys.Y_MAX: high}
+    return {
+        wall: Edge(bases[wall], normal, of_obstacle=True) for wall, normal in WALL_NORMALS.items()
+    }
+
+
+def _pose(configuration: Configuration) -> Pose:
+    x, y, theta = configuration
+    return Pose((units(x), units(y)), theta)
+
+
+def _goal(goal: Goal, turning: bool) -> Pose | GoalArea:
+    if isinstance(goal, GoalSet):
+        return GoalArea(list(_polygons(goal.polygons)), goal.angles if turning else None)
+    return _pose(goal)

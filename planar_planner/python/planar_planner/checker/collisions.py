@@ -1,30 +1,46 @@
-"""Claims that a robot collides everywhere in a box: by one pair, or by several together.
+"""Claims that a box of configurations is FULL: by a pair, by a wall, or jointly.
 
-For one vertex and one edge, at translation t and angle θ, the separating-axis function is
-C + D cos θ + E sin θ, and linear in t.
+docs/certificate.md, "separation", step 4. For one vertex and one edge, at translation t and angle
+θ, the separating-axis function is C + D cos θ + E sin θ, and linear in t.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Sequence
 from fractions import Fraction
 from itertools import chain, product
-from typing import Any
+from typing import NamedTuple
 
-from planar_planner.checker.arithmetic import BITS, HALF_TURN, Extent, Rotation, Vector, _dot
-from planar_planner.checker.case import OTHER, Axis, Case, Edge, Pair, demand, find
+from planar_planner import certificate_keys as keys
+from planar_planner.checker.arithmetic import ROTATION_BITS, Ring, Rotation, Vector, dot
+from planar_planner.checker.case import Case
+from planar_planner.checker.demands import demand, find
+from planar_planner.checker.extents import Extent
+from planar_planner.checker.pieces import Edge, Sinusoid
+from planar_planner.checker.records import Collision, EdgeName, Joint, PairName, PairTerm, WallTerm
 
-MOST_CHOICES = 1024  # of separating edges in one joint claim
+MOST_CHOICES = 1024
+"""Of separating edges in one joint claim."""
+HALVINGS = 60
+"""Of a box's angles, in search of one vertex for each part."""
+
+HALF_TURN = Fraction(1, 2)
 
 
-HALVINGS = 60  # of a box's angles, in search of one vertex for each part
+class WeightedTerm(NamedTuple):
+    """One term of a sum, with its weight as an integer."""
+
+    weight: int
+    edge: Edge
+    vertex: Vector
 
 
-def negative(D: int, E: int, C: int, ends: Sequence[Rotation]) -> bool:
-    """Prove that C + D cos θ + E sin θ < 0 from one end to the other, at most half a turn on."""
+def is_negative(sinusoid: Sinusoid, ends: Sequence[Rotation]) -> bool:
+    """Prove that a sinusoid is negative from one rotation to the next, at most half a turn on."""
+    C, D, E = sinusoid
     error = abs(D) + abs(E)
-    if any(D * c + E * s + error + (C << BITS) >= 0 for c, s in ends):
+    if any(D * c + E * s + error + (C << ROTATION_BITS) >= 0 for c, s in ends):
         return False
     if len(ends) == 1 or (C < 0 and D * D + E * E < C * C):  # it is at most C plus the amplitude
         return True
@@ -32,46 +48,56 @@ def negative(D: int, E: int, C: int, ends: Sequence[Rotation]) -> bool:
     return E * c0 - D * s0 + error <= 0 or E * c1 - D * s1 >= error
 
 
-def negative_edge(edge: Edge, vertices: list[Vector], at: Extent, halvings: int = HALVINGS) -> bool:
+def is_negative_edge(edge: Edge, vertices: Ring, extent: Extent, halvings: int = HALVINGS) -> bool:
     """Prove an edge's function negative: on each part of the angles for some one vertex."""
-    ends, corners = at.ends(), at.corners
-    if edge.obstacle:  # the translation only adds to the term
-        corners = [max(corners, key=lambda t: _dot(edge.normal, t))]
-    if at.last - at.first <= HALF_TURN and any(
-        all(negative(*edge.term(v, t), ends) for t in corners) for v in vertices
+    ends, corners = extent.end_rotations(), extent.corners
+    if edge.of_obstacle:  # the translation only adds to the function
+        corners = [max(corners, key=lambda corner: dot(edge.normal, corner))]
+    if extent.last - extent.first <= HALF_TURN and any(
+        all(is_negative(edge.sinusoid(vertex, corner), ends) for corner in corners)
+        for vertex in vertices
     ):
         return True
     if len(ends) == 1 or halvings == 0:
         return False
-    return all(negative_edge(edge, vertices, half, halvings - 1) for half in at.halves())
+    return all(is_negative_edge(edge, vertices, half, halvings - 1) for half in extent.halves())
 
 
-def check_full(case: Case, place: str, claim: Mapping[str, Any], at: Extent) -> None:
+def check_full(case: Case, place: str, collision: Collision, extent: Extent) -> None:
     """Check that no configuration of a box, face or point is free."""
-    if "joint" in claim:
-        check_joint(case, place, claim["joint"], at)
-    elif "pair" in claim:
-        check_overlap(case, place, claim["pair"], at)
+    if collision.joint is not None:
+        check_joint(case, place, collision.joint, extent)
+    elif collision.pair is not None:
+        check_overlap(case, place, collision.pair, extent)
     else:
-        beyond = negative_edge(find(place, case.walls, claim["wall"]), case.outline, at)
+        wall = find(place, case.walls, collision.wall)
+        beyond = is_negative_edge(wall, case.outline, extent)
         demand(beyond, place, "the robot may be inside the wall")
 
 
-def check_overlap(case: Case, place: str, pair: Pair, at: Extent, but: Sequence[Axis] = ()) -> None:
-    """Check FULL by a pair: every separating-axis function is negative, `but` for some edges'."""
-    pieces = case.pair(place, pair)
-    for owner, other in OTHER.items():
-        for i, edge in enumerate(pieces[owner].edges):
-            negated = (owner, i) in but or negative_edge(edge, pieces[other].vertices, at)
-            demand(negated, f"{place}, edge {i} of the {owner}", "may separate the pair")
+def check_overlap(
+    case: Case, place: str, pair: PairName, extent: Extent, but: Collection[EdgeName] = ()
+) -> None:
+    """Check that every separating-axis function of a pair is negative, `but` for some edges'."""
+    robot, obstacle = case.pieces.pair(place, pair)
+    for owner, own, other in (
+        (keys.ROBOT, robot, obstacle),
+        (keys.OBSTACLE, obstacle, robot),
+    ):
+        for i, edge in enumerate(own.edges):
+            negative = (owner, i) in but or is_negative_edge(edge, other.vertices, extent)
+            demand(negative, f"{place}, edge {i} of the {owner}", "may separate the pair")
 
 
-def check_joint(case: Case, place: str, joint: Mapping[str, Any], at: Extent) -> None:
-    """Check FULL jointly: whichever of the edges listed separate their pairs, a sum refutes it."""
-    for entry in joint["axes"]:  # where all is free, an edge of each pair separates: none but these
-        check_overlap(case, place, entry["pair"], at, entry["edges"])
-    edges = {entry["pair"]: entry["edges"] for entry in joint["axes"]}
-    refuted = [check_sum(case, place, terms, at) for terms in joint["sums"]]
+def check_joint(case: Case, place: str, joint: Joint, extent: Extent) -> None:
+    """Check that a sum refutes each choice of the edges listed, one of every pair.
+
+    Where a configuration is free, an edge of each pair separates it, and that is one listed.
+    """
+    for listed in joint.axes:
+        check_overlap(case, place, listed.pair, extent, listed.edges)
+    edges = {listed.pair: listed.edges for listed in joint.axes}
+    refuted = [check_sum(case, place, terms, extent) for terms in joint.sums]
     few = math.prod(map(len, edges.values())) <= MOST_CHOICES
     demand(few, place, "leaves too many choices of separating edges")
     for choice in product(*edges.values()):
@@ -80,26 +106,48 @@ def check_joint(case: Case, place: str, joint: Mapping[str, Any], at: Extent) ->
         demand(hit, place, "does not refute every choice of separating edges")
 
 
-def check_sum(case: Case, place: str, terms: list[Any], at: Extent) -> dict[Pair, Axis]:
-    """Check that a weighted sum of terms is negative, and return which edge it has of each pair."""
-    used: dict[Pair, Axis] = {}
-    parts: list[tuple[int, Edge, Vector]] = []
-    scale = math.lcm(*(Fraction(term["weight"]).denominator for term in terms))
+def check_sum(
+    case: Case, place: str, terms: Sequence[PairTerm | WallTerm], extent: Extent
+) -> dict[PairName, EdgeName]:
+    """Check that a weighted sum is negative, and return which edge it has of each pair."""
+    used: dict[PairName, EdgeName] = {}
     for term in terms:
-        if "wall" in term:
-            edge, vertex = find(place, case.walls, term["wall"]), term["vertex"]
-            own = any(vertex in ring for ring in chain(*case.polygons["robot"].values()))
-            demand(own, place, "has a vertex that is not the robot's")
-        else:
-            choice = term["owner"], term["edge"]
-            only = used.setdefault(term["pair"], choice) == choice
+        demand(term.weight >= 0, place, "has a negative weight")
+        if isinstance(term, PairTerm):
+            only = used.setdefault(term.pair, term.edge) == term.edge
             demand(only, place, "has two edges of a pair in one sum")
-            edge, vertices = case.edge(place, term["pair"], choice)
-            vertex = find(place, vertices, term["vertex"])
-        demand(term["weight"] >= 0, place, "has a negative weight")
-        parts.append((int(Fraction(term["weight"]) * scale), edge, vertex))
-    for t, part in product(at.corners, at.halves() if at.last - at.first > HALF_TURN else [at]):
-        weighted = [[weight * x for x in edge.term(v, t)] for weight, edge, v in parts]
-        D, E, C = (sum(term[k] for term in weighted) for k in range(3))
-        demand(negative(D, E, C, part.ends()), place, "the weighted sum may be 0 or more")
+    weighted = weighted_terms(case, place, terms)
+    wide = extent.last - extent.first > HALF_TURN
+    parts = extent.halves() if wide else [extent]
+    for corner, part in product(extent.corners, parts):
+        total = weighted_sum(weighted, corner)
+        demand(is_negative(total, part.end_rotations()), place, "the weighted sum may be 0 or more")
     return used
+
+
+def weighted_terms(
+    case: Case, place: str, terms: Sequence[PairTerm | WallTerm]
+) -> list[WeightedTerm]:
+    """Return the edges and vertices that the terms name, with weights as integers in proportion."""
+    weights = [Fraction(term.weight) for term in terms]
+    scale = math.lcm(*(weight.denominator for weight in weights))
+    weighted = []
+    for term, weight in zip(terms, weights, strict=True):
+        if isinstance(term, PairTerm):
+            edge, vertices = case.pieces.edge(place, term.pair, term.edge)
+            vertex = find(place, vertices, term.vertex)
+        else:
+            edge, vertex = find(place, case.walls, term.wall), term.vertex
+            own = any(vertex in ring for ring in chain(*case.robot.values()))
+            demand(own, place, "has a vertex that is not the robot's")
+        weighted.append(WeightedTerm(int(weight * scale), edge, vertex))
+    return weighted
+
+
+def weighted_sum(terms: Sequence[WeightedTerm], translation: Vector) -> Sinusoid:
+    """Return the sum of weighted separating-axis functions at one translation."""
+    C = D = E = 0
+    for weight, edge, vertex in terms:
+        constant, cosine, sine = edge.sinusoid(vertex, translation)
+        C, D, E = C + weight * constant, D + weight * cosine, E + weight * sine
+    return C, D, E

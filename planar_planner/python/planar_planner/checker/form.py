@@ -1,172 +1,251 @@
-"""The form of a certificate (docs/certificate.md): JSON → checked values; nothing of its truth.
+"""The form of a certificate: the fields that its objects have, and what may stand in each.
 
-A certificate is hostile input: whatever cannot be read gives a `CertificateError` with the field,
-within bounds on time and memory. Lengths become integers in units of 2^-UNIT.
+docs/certificate.md has a table for each object; a test compares them. Whether a certificate is true
+is decided elsewhere. A certificate is hostile input: whatever is not of this form gives a
+`CertificateError` with the place. Lengths become integers in units of `arithmetic.LENGTH_BITS`.
 """
 
 from __future__ import annotations
 
-import gzip
-import json
 import os
-import reprlib
-import zlib
-from collections.abc import Callable, Mapping
-from pathlib import Path
+from collections.abc import Mapping
 from typing import Any
 
-UNIT = 320  # bits after the binary point of lengths: they hold scenes' doubles and corners of boxes
-LEVELS = 60  # deepest dyadic box
-MAX_BYTES, MAX_VALUES = 2**28, 2**24  # of a certificate, uncompressed: they bound time and memory
-WALLS = ("x_min", "x_max", "y_min", "y_max")
+from planar_planner import certificate_keys as keys
+from planar_planner.checker.arithmetic import LENGTH_BITS, units
+from planar_planner.checker.json_reader import (
+    Fields,
+    integer,
+    leaf,
+    list_of,
+    mapping_of,
+    number,
+    object_of,
+    read_json,
+    tuple_of,
+    word,
+)
+from planar_planner.checker.records import (
+    Certificate,
+    Collision,
+    DiscProof,
+    EndProof,
+    FullClaim,
+    Interval,
+    Joint,
+    PairEdges,
+    PairTerm,
+    PathProof,
+    Proof,
+    Separation,
+    Separator,
+    WallTerm,
+    Waypoint,
+)
+
+DEEPEST_LEVEL = 60
+"""Of a box: its sides are at least 2^-60 of the domain's."""
+MAX_LENGTH = 2**100
+MAX_ANGLE = 2**20
+"""In radians and in turns."""
 
 Source = str | os.PathLike[str] | Mapping[str, Any]
 
 
-class Finding(Exception):  # noqa: N818  (a rejection, too, is one)
-    """What is wrong, and where: `args` are place and problem."""
+def read_certificate(source: Source) -> Certificate:
+    """Read a certificate from a file, or from its content.
 
-    def __str__(self) -> str:
-        return ": ".join(filter(None, self.args))  # place, problem
-
-
-class CertificateError(Finding, ValueError):
-    """A certificate that cannot be read: the place, and what is expected there."""
-
-
-def units(number: float) -> int:
-    """Return a double in units of length; those of scenes are multiples of 2^-219."""
-    above, below = number.as_integer_ratio()
-    return above << (UNIT + 1 - below.bit_length())
+    Raises
+    ------
+    CertificateError
+        If it cannot be read, or is not of the form.
+    """
+    content = source if isinstance(source, Mapping) else read_json(source)
+    certificate: Certificate = _CERTIFICATE(content)
+    return certificate
 
 
-def _leaf(
-    what: str, fits: Callable[[Any], bool], convert: Callable[[Any], Any] = lambda v: v
-) -> Any:
-    def read(value: Any) -> Any:
-        if not fits(value):
-            raise CertificateError("", f"must be {what} (got {reprlib.repr(value)[:60]})")
-        return convert(value)
-
-    return read
+def _collision(fields: Mapping[str, Any]) -> Collision:
+    return Collision(fields.get(keys.PAIR), fields.get(keys.WALL), fields.get(keys.JOINT))
 
 
-def _integer(low: int, high: int) -> Any:
-    return _leaf("an integer within limits", lambda v: type(v) is int and low <= v <= high)
+def _full_claim(fields: Mapping[str, Any]) -> FullClaim:
+    return FullClaim(fields[keys.BOX], fields.get(keys.AXIS), _collision(fields))
 
 
-def _number(limit: int, bits: int, convert: Callable[[float], Any] = float) -> Any:
-    def fits(v: Any) -> bool:
-        bounded = type(v) in (int, float) and abs(v) <= limit
-        return bounded and float(v).as_integer_ratio()[1] <= 1 << bits
-
-    return _leaf("a number within limits", fits, lambda v: convert(float(v)))
-
-
-def _one_of(*names: str) -> Any:
-    return _leaf(" or ".join(names), lambda v: isinstance(v, str) and v in names)
+def _term(fields: Mapping[str, Any]) -> PairTerm | WallTerm:
+    vertex, weight = fields[keys.VERTEX], fields[keys.WEIGHT]
+    if keys.WALL in fields:
+        return WallTerm(fields[keys.WALL], vertex, weight)
+    return PairTerm(fields[keys.PAIR], (fields[keys.OWNER], fields[keys.EDGE]), vertex, weight)
 
 
-def _any_of(*specs: dict[str, Any]) -> Any:
-    def read(value: Any) -> Any:  # as the spec that its fields fit best
-        names = value.keys() if isinstance(value, dict) else set()
-        return _read(value, min(specs, key=lambda spec: len(spec.keys() ^ names)))
-
-    return read
+def _joint(fields: Mapping[str, Any]) -> Joint:
+    return Joint(fields[keys.AXES], fields[keys.SUMS])
 
 
-def _read(value: Any, spec: Any) -> Any:
-    """Return `value` as a leaf, a dict {name: spec} or {"*": spec}, a list [spec] or (spec, …)."""
-    if callable(spec):
-        return spec(value)
-    kind: Any = dict if isinstance(spec, dict) else list
-    size: Any = len(spec) if isinstance(spec, tuple) else None
-    if not isinstance(value, kind) or size not in (None, len(value)):
-        what = f"{'an object' if kind is dict else 'a list'}{f' of {size}' if size else ''}"
-        raise CertificateError("", f"must be {what} (got {reprlib.repr(value)[:60]})")
-    if kind is list:
-        read = [_inner(i, each, spec[i if size else 0]) for i, each in enumerate(value)]
-        return tuple(read) if size else read
-    names = value.keys() if "*" in spec else spec.keys()
-    for name in sorted(map(str, names ^ value.keys())):
-        raise CertificateError(name[:60], "is missing" if name in spec else "is an unknown field")
-    return {name: _inner(name, value[name], spec.get(name, spec.get("*"))) for name in names}
+def _pair_edges(fields: Mapping[str, Any]) -> PairEdges:
+    return PairEdges(fields[keys.PAIR], fields[keys.EDGES])
 
 
-def _inner(name: str | int, value: Any, spec: Any) -> Any:
-    try:
-        return _read(value, spec)
-    except CertificateError as error:
-        place, problem = error.args
-        own = f"[{name}]" if isinstance(name, int) else name[:60]
-        dot = "." if place and place[0] != "[" else ""
-        raise CertificateError(own + dot + place, problem) from None
+def _separator(items: tuple[Any, ...]) -> Separator:
+    return Separator(items[:4], items[4:])
 
 
-_INDEX, _SPAN = _integer(0, 2**31), (_integer(0, LEVELS), _integer(0, 2**LEVELS))
-_LENGTH, _PART = (_number(limit, UNIT - LEVELS, units) for limit in (2**100, 1))
-_FINITE, _ANGLE = _number(2**1000, 1100), _number(2**20, 1100)
-_TEXT = _leaf("a string", lambda v: isinstance(v, str))
-_POINT, _PAIR, _BOX = (_LENGTH,) * 2, (_INDEX,) * 4, (_SPAN,) * 3
-_DYADICS = [((_integer(low, 2**200), _integer(LEVELS - UNIT, 100)),) * 2 for low in (-(2**200), 1)]
-_OWNER, _WALL, _NO_PATH = _one_of("obstacle", "robot"), _one_of(*WALLS), _one_of("no_path")
-_TERM = {"pair": _PAIR, "owner": _OWNER, "edge": _INDEX, "vertex": _INDEX, "weight": _FINITE}
-_TERMS = [_any_of(_TERM, {"wall": _WALL, "vertex": _POINT, "weight": _FINITE})]
-_JOINT = {"axes": [{"pair": _PAIR, "edges": [(_OWNER, _INDEX)]}], "sums": [_TERMS]}
-_CLAIMS: list[dict[str, Any]] = [{"pair": _PAIR}, {"wall": _WALL}, {"joint": _JOINT}]
-_PATH = {
-    "verdict": _one_of("path"),
-    "contact_tolerance": _FINITE,
-    "waypoints": [(_LENGTH, _LENGTH, _ANGLE, _integer(-(2**20), 2**20))],
-    "segments": [[{"from": _PART, "to": _PART, "apart": [(*_PAIR, _OWNER, _INDEX)]}]],
+def _waypoint(items: tuple[Any, ...]) -> Waypoint:
+    return Waypoint(*items)
+
+
+def _interval(fields: Mapping[str, Any]) -> Interval:
+    return Interval(fields[keys.FROM], fields[keys.TO], fields[keys.APART])
+
+
+def _in_units(dyadic: tuple[int, int]) -> int:
+    mantissa, exponent = dyadic
+    return mantissa << (exponent + LENGTH_BITS)
+
+
+def _separation(fields: Mapping[str, Any]) -> Separation:
+    domain = fields[keys.DOMAIN]
+    return Separation(
+        domain[keys.LOW],
+        domain[keys.SIZE],
+        fields[keys.START_SIDE],
+        fields[keys.FULL],
+        fields[keys.FULL_FACES],
+    )
+
+
+def _certificate(fields: Mapping[str, Any]) -> Certificate:
+    return Certificate(
+        fields[keys.SCENE],
+        fields[keys.ROBOT_PIECES],
+        fields[keys.OBSTACLE_PIECES],
+        fields.get(keys.OUTSIDE),
+        _proof(fields),
+    )
+
+
+def _proof(fields: Mapping[str, Any]) -> Proof:
+    if keys.WAYPOINTS in fields:
+        return PathProof(*(fields[key] for key in PATH_FIELDS if key != keys.VERDICT))
+    if keys.END in fields:
+        bounds = keys.REFERENCE_BOUNDS in fields
+        return EndProof(fields[keys.END], None if bounds else _collision(fields))
+    if keys.DISC in fields:
+        return DiscProof(fields[keys.DISC], fields[keys.INSIDE], _separation(fields))
+    return _separation(fields)
+
+
+_TEXT = leaf("a string", lambda v: isinstance(v, str))
+_TRUE = leaf("true", lambda v: v is True)
+_INDEX = integer(0, 2**31)
+_LENGTH = number(MAX_LENGTH, LENGTH_BITS - DEEPEST_LEVEL, units)
+_PART = number(1, LENGTH_BITS - DEEPEST_LEVEL, units)
+_ANGLE = number(MAX_ANGLE, 1100)
+_FINITE = number(2**1000, 1100)  # 1100: every double is a multiple of 2^-1074
+_TURNS = integer(-MAX_ANGLE, MAX_ANGLE)
+_OWNER = word(keys.OBSTACLE, keys.ROBOT)
+_WALL = word(*keys.WALLS)
+
+_POINT = tuple_of(_LENGTH, _LENGTH)
+_PAIR = tuple_of(_INDEX, _INDEX, _INDEX, _INDEX)
+_SPAN = tuple_of(integer(0, DEEPEST_LEVEL), integer(0, 2**DEEPEST_LEVEL))
+_BOX = tuple_of(_SPAN, _SPAN, _SPAN)
+_PIECES = mapping_of(list_of(list_of(_POINT)))
+
+
+def _dyadic(low: int) -> Any:
+    """Read [m, e] as m 2^e, a multiple of 2^DEEPEST_LEVEL units, in units."""
+    exponent = integer(DEEPEST_LEVEL - LENGTH_BITS, 100)
+    return tuple_of(integer(low, 2**200), exponent, convert=_in_units)
+
+
+TERM_FIELDS: Fields = {
+    keys.PAIR: _PAIR,
+    keys.OWNER: _OWNER,
+    keys.EDGE: _INDEX,
+    keys.VERTEX: _INDEX,
+    keys.WEIGHT: _FINITE,
 }
-_SEPARATION = {
-    "verdict": _NO_PATH,
-    "claim": _one_of("separation"),
-    "domain": {"low": _DYADICS[0], "size": _DYADICS[1]},
-    "start_side": [_BOX],
-    "full": [_any_of(*({"box": _BOX} | claim for claim in _CLAIMS))],
-    "full_faces": [_any_of(*({"box": _BOX, "axis": _integer(0, 2)} | c for c in _CLAIMS))],
+WALL_TERM_FIELDS: Fields = {keys.WALL: _WALL, keys.VERTEX: _POINT, keys.WEIGHT: _FINITE}
+AXES_FIELDS: Fields = {keys.PAIR: _PAIR, keys.EDGES: list_of(tuple_of(_OWNER, _INDEX))}
+JOINT_FIELDS: Fields = {
+    keys.AXES: list_of(object_of(AXES_FIELDS, convert=_pair_edges)),
+    keys.SUMS: list_of(list_of(object_of(TERM_FIELDS, WALL_TERM_FIELDS, convert=_term))),
 }
-_DISC = _SEPARATION | {"claim": _one_of("disc"), "disc": [_POINT], "inside": (_INDEX, _INDEX)}
-_END = {"verdict": _NO_PATH, "claim": _one_of("end"), "end": _one_of("start", "goal")}
-_BOUNDS = {"reference_bounds": _leaf("true", lambda v: v is True)}
-_COMMON = {
-    "format": _one_of("planar-planner/certificate"),
-    "version": _integer(1, 1),
-    "made_by": _TEXT,
-    "scene": _TEXT,
-    "robot_pieces": {"*": [[_POINT]]},
-    "obstacle_pieces": {"*": [[_POINT]]},
+
+_PAIR_COLLISION: Fields = {keys.PAIR: _PAIR}
+_WALL_COLLISION: Fields = {keys.WALL: _WALL}
+_JOINT_COLLISION: Fields = {keys.JOINT: object_of(JOINT_FIELDS, convert=_joint)}
+COLLISIONS = (_PAIR_COLLISION, _WALL_COLLISION, _JOINT_COLLISION)
+"""The fields of a collision: one of these."""
+_BOX_FIELDS: Fields = {keys.BOX: _BOX}
+FACE_FIELDS: Fields = {keys.BOX: _BOX, keys.AXIS: integer(0, 2)}
+"""The fields of a claim about a face besides its collision; about a box they lack the axis."""
+
+DOMAIN_FIELDS: Fields = {
+    keys.LOW: tuple_of(_dyadic(-(2**200)), _dyadic(-(2**200))),
+    keys.SIZE: tuple_of(_dyadic(1), _dyadic(1)),
 }
-_KINDS = [_PATH, _SEPARATION, _DISC, *(_END | claim for claim in (*_CLAIMS[:2], _BOUNDS))]
-_OUTSIDE: list[dict[str, Any]] = [{}, {"outside": (_LENGTH,) * 4}]
-_CERTIFICATE = _any_of(*(_COMMON | kind | more for kind in _KINDS for more in _OUTSIDE))
+SEPARATION_FIELDS: Fields = {
+    keys.VERDICT: word(keys.NO_PATH),
+    keys.CLAIM: word(keys.SEPARATION_CLAIM),
+    keys.DOMAIN: object_of(DOMAIN_FIELDS),
+    keys.START_SIDE: list_of(_BOX),
+    keys.FULL: list_of(
+        object_of(*({**_BOX_FIELDS, **each} for each in COLLISIONS), convert=_full_claim)
+    ),
+    keys.FULL_FACES: list_of(
+        object_of(*({**FACE_FIELDS, **each} for each in COLLISIONS), convert=_full_claim)
+    ),
+}
+DISC_FIELDS: Fields = {
+    **SEPARATION_FIELDS,
+    keys.CLAIM: word(keys.DISC_CLAIM),
+    keys.DISC: list_of(_POINT),
+    keys.INSIDE: tuple_of(_INDEX, _INDEX),
+}
+END_FIELDS: Fields = {
+    keys.VERDICT: word(keys.NO_PATH),
+    keys.CLAIM: word(keys.END_CLAIM),
+    keys.END: word(keys.START, keys.GOAL),
+}
+BOUNDS_FIELDS: Fields = {keys.REFERENCE_BOUNDS: _TRUE}
+"""What an end has in place of a collision if it is out of the reference bounds."""
 
+INTERVAL_FIELDS: Fields = {
+    keys.FROM: _PART,
+    keys.TO: _PART,
+    keys.APART: list_of(
+        tuple_of(_INDEX, _INDEX, _INDEX, _INDEX, _OWNER, _INDEX, convert=_separator)
+    ),
+}
+PATH_FIELDS: Fields = {
+    keys.VERDICT: word(keys.PATH),
+    keys.CONTACT_TOLERANCE: _FINITE,
+    keys.WAYPOINTS: list_of(tuple_of(_LENGTH, _LENGTH, _ANGLE, _TURNS, convert=_waypoint)),
+    keys.SEGMENTS: list_of(list_of(object_of(INTERVAL_FIELDS, convert=_interval))),
+}
 
-def _text(path: Path) -> bytes:
-    with path.open("rb") as file:
-        zipped = file.read(2) == b"\x1f\x8b"
-        file.seek(0)
-        text: bytes = (gzip.GzipFile(fileobj=file) if zipped else file).read(MAX_BYTES + 1)
-    if len(text) > MAX_BYTES or sum(map(text.count, (b"[", b"{", b","))) > MAX_VALUES:
-        raise ValueError("is too large")
-    return text
+COMMON_FIELDS: Fields = {
+    keys.FORMAT: word(keys.FORMAT_NAME),
+    keys.VERSION: integer(keys.FORMAT_VERSION, keys.FORMAT_VERSION),
+    keys.MADE_BY: _TEXT,
+    keys.SCENE: _TEXT,
+    keys.ROBOT_PIECES: _PIECES,
+    keys.OBSTACLE_PIECES: _PIECES,
+}
+OUTSIDE_FIELDS: Fields = {keys.OUTSIDE: tuple_of(_LENGTH, _LENGTH, _LENGTH, _LENGTH)}
+"""What a certificate has besides if the workspace is a polygon."""
 
-
-def read_certificate(source: Source) -> Any:
-    """Return a certificate's content, lengths in units and short lists as tuples."""
-
-    def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        if len(dict(pairs)) != len(pairs):
-            raise ValueError("a field stands twice")
-        return dict(pairs)
-
-    if isinstance(source, Mapping):
-        return _CERTIFICATE(source)
-    try:
-        content = json.loads(_text(Path(source)), object_pairs_hook=unique)
-    except (OSError, ValueError, EOFError, zlib.error, RecursionError) as error:
-        reason = getattr(error, "strerror", "") or str(error)
-        raise CertificateError("", f"cannot be read: {reason}") from None
-    return _CERTIFICATE(content)
+_ENDS = (_PAIR_COLLISION, _WALL_COLLISION, BOUNDS_FIELDS)
+_PROOFS = (PATH_FIELDS, SEPARATION_FIELDS, DISC_FIELDS, *({**END_FIELDS, **e} for e in _ENDS))
+_CERTIFICATE = object_of(
+    *(
+        {**COMMON_FIELDS, **proof, **outside}
+        for proof in _PROOFS
+        for outside in ({}, OUTSIDE_FIELDS)
+    ),
+    convert=_certificate,
+)

@@ -1,71 +1,93 @@
-"""Goal regions for the checker of certificates: exact, in integers; nothing of the planner's.
+"""Goal regions, decided exactly in integers (docs/certificate.md, "What the checker establishes").
 
-Polygons are lists of rings of integer points, outer one first, and closed: their boundary belongs
-to them. Boxes are closed too.
+Polygons are closed: their boundary belongs to them. Rectangles are closed too.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from fractions import Fraction
 from typing import NamedTuple
 
-Vector = tuple[int, int]
-Rings = list[list[Vector]]
-Region = tuple[int, int, int, int]  # xmin, ymin, xmax, ymax
+from planar_planner.checker.arithmetic import (
+    TURNS_ERROR,
+    Polygon,
+    Rectangle,
+    Vector,
+    bounding_box,
+    cross,
+    cyclic_pairs,
+    minus,
+    turns_of,
+)
 
 
 class GoalArea(NamedTuple):
     """Every configuration with the reference point in one of the polygons and theta in between."""
 
-    polygons: list[Rings]
+    polygons: list[Polygon]
     angles: tuple[float, float] | None  # radians, up to whole turns; None: any
 
     def holds(self, point: Vector) -> bool:
         """Whether a point lies in a polygon."""
-        return any(in_polygon(rings, point) for rings in self.polygons)
+        return any(in_polygon(polygon, point) for polygon in self.polygons)
 
-    def meets(self, box: Region) -> bool:
-        """Whether a polygon has a point in common with a box."""
-        return any(meets_box(rings, box) for rings in self.polygons)
+    def meets(self, rectangle: Rectangle) -> bool:
+        """Whether a polygon has a point in common with a rectangle."""
+        return any(meets_rectangle(polygon, rectangle) for polygon in self.polygons)
+
+    def may_have_angle(self, first: Fraction, last: Fraction) -> bool:
+        """Whether some angle may lie between two in turns, whole turns apart or not."""
+        if self.angles is None:
+            return True
+        low, high = map(turns_of, self.angles)
+        low, high = low % 1, high - low + low % 1
+        return any(
+            low + n - TURNS_ERROR <= last and first <= high + n + TURNS_ERROR for n in (-1, 0, 1)
+        )
 
 
-def in_polygon(rings: Rings, p: Vector) -> bool:
+def in_polygon(polygon: Polygon, point: Vector) -> bool:
     """Whether a polygon holds a point: on an edge, or an odd number of edges to the right."""
     odd = False
-    for a, b in _edges(rings):
-        side = _cross(a, b, p)
-        if side == 0 and _between(a, b, p):
+    for a, b in _edges(polygon):
+        side = _side(a, b, point)
+        if side == 0 and _in_box_of(a, b, point):
             return True
-        if (a[1] > p[1]) != (b[1] > p[1]):  # the edge crosses the point's horizontal line
+        if (a[1] > point[1]) != (b[1] > point[1]):  # the edge crosses the point's horizontal line
             odd ^= (side > 0) == (b[1] > a[1])
     return odd
 
 
-def meets_box(rings: Rings, box: Region) -> bool:
-    """Whether an edge meets the box; else the box is wholly inside or wholly outside."""
-    return any(_edge_meets(a, b, box) for a, b in _edges(rings)) or in_polygon(rings, box[:2])
+def meets_rectangle(polygon: Polygon, rectangle: Rectangle) -> bool:
+    """Whether an edge meets the rectangle; else that is wholly inside or wholly outside."""
+    if any(_edge_meets(a, b, rectangle) for a, b in _edges(polygon)):
+        return True
+    return in_polygon(polygon, rectangle[:2])
 
 
-def _edges(rings: Rings) -> Iterator[tuple[Vector, Vector]]:
-    for ring in rings:
-        yield from zip(ring, [*ring[1:], *ring[:1]], strict=True)
+def _edges(polygon: Polygon) -> Iterator[tuple[Vector, Vector]]:
+    for ring in polygon:
+        yield from cyclic_pairs(ring)
 
 
-def _edge_meets(a: Vector, b: Vector, box: Region) -> bool:
-    """Whether neither a side of the box nor the edge's line has the two strictly apart."""
-    xmin, ymin, xmax, ymax = box
+def _edge_meets(a: Vector, b: Vector, rectangle: Rectangle) -> bool:
+    """Whether neither a side of the rectangle nor the edge's line has the two strictly apart."""
+    xmin, ymin, xmax, ymax = rectangle
     if max(a[0], b[0]) < xmin or xmax < min(a[0], b[0]):
         return False
     if max(a[1], b[1]) < ymin or ymax < min(a[1], b[1]):
         return False
-    corners: Sequence[Vector] = [(xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)]
-    sides = [_cross(a, b, corner) for corner in corners]
+    corners = ((xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax))
+    sides = [_side(a, b, corner) for corner in corners]
     return min(sides) <= 0 <= max(sides)
 
 
-def _cross(a: Vector, b: Vector, p: Vector) -> int:
-    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+def _side(a: Vector, b: Vector, point: Vector) -> int:
+    """Return a number that is positive to the left of the line from a to b, and 0 on it."""
+    return cross(minus(b, a), minus(point, a))
 
 
-def _between(a: Vector, b: Vector, p: Vector) -> bool:
-    return min(a[0], b[0]) <= p[0] <= max(a[0], b[0]) and min(a[1], b[1]) <= p[1] <= max(a[1], b[1])
+def _in_box_of(a: Vector, b: Vector, point: Vector) -> bool:
+    xmin, ymin, xmax, ymax = bounding_box((a, b))
+    return xmin <= point[0] <= xmax and ymin <= point[1] <= ymax

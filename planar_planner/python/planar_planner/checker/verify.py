@@ -1,17 +1,23 @@
-"""The checker of certificates: docs/certificate.md as code.
+"""A certificate against a scene: the order of the checks.
 
-Whatever it accepts is an inequality between integers, and `demand` is its only way to reject (but
-`find`, for names of nothing).
+Whatever is accepted is an inequality between integers. A certificate is rejected by `demand`, by
+`find` for a name of nothing, and by `check_end` for a region.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import math
+from dataclasses import dataclass
 
-from planar_planner.checker.absence import check_disc, check_end, check_separation
-from planar_planner.checker.case import check_pieces, demand, make_case
+from planar_planner import certificate_keys as keys
+from planar_planner.checker.absence import check_disc, check_end
+from planar_planner.checker.case import Case, make_case
+from planar_planner.checker.demands import demand
 from planar_planner.checker.form import Source, read_certificate
 from planar_planner.checker.path import check_path
+from planar_planner.checker.records import DiscProof, PathProof, Proof, Separation
+from planar_planner.checker.separation import check_separation
+from planar_planner.errors import OptionsError
 from planar_planner.load import load_scene
 from planar_planner.problem.fingerprint import fingerprint
 from planar_planner.problem.make import make_problem
@@ -19,18 +25,31 @@ from planar_planner.problem.rings import judged_by_geos
 from planar_planner.scene.model import Scene
 
 
-class Report(NamedTuple):
-    """What a valid certificate proves."""
+@dataclass(frozen=True)
+class Verification:
+    """What a valid certificate proves.
 
-    verdict: str  # "path" or "no_path"
-    proof: str  # "path", "separation", "disc" or "end"
-    contact_tolerance: float  # the path's ends may be so far from start and goal
-    claims: int  # that were checked: boxes, faces, pairs on intervals
+    Attributes
+    ----------
+    verdict : str
+        ``"path"`` or ``"no_path"``.
+    proof : str
+        ``"path"``, ``"separation"``, ``"disc"`` or ``"end"`` (docs/certificate.md).
+    contact_tolerance : float
+        The path's ends may be so far from start and goal, in the scene's unit of length.
+    claims : int
+        How many boxes, faces, and pairs on intervals were checked.
+    """
+
+    verdict: str
+    proof: str
+    contact_tolerance: float
+    claims: int
 
 
 def verify_certificate(
     scene: Source | Scene, certificate: Source, contact_tolerance: float = 0.0
-) -> Report:
+) -> Verification:
     """Check a certificate against a scene, in exact arithmetic.
 
     Parameters
@@ -40,29 +59,44 @@ def verify_certificate(
     certificate : str, path or mapping
         A file (docs/certificate.md), or its content.
     contact_tolerance : float, optional
-        A path may begin and end off contact by this length, if the certificate says so.
+        Length by which the ends of a path may be off start and goal, if the certificate says so.
 
     Returns
     -------
-    Report
-        What is proven: ``verdict``, ``proof``, ``contact_tolerance`` and ``claims``, their number.
+    Verification
+        What is proven.
 
     Raises
     ------
     SceneError
         If the scene is not valid.
+    CertificateRejected
+        If the certificate does not prove what it claims.
     CertificateError
-        If the certificate cannot be read.
-    Rejected
-        If it does not prove what it claims.
+        If it cannot be read. `CertificateRejected` is one of these, so catch that first.
+    OptionsError
+        If the contact tolerance is negative or not finite.
     """
+    if not (contact_tolerance >= 0 and math.isfinite(contact_tolerance)):
+        raise OptionsError(
+            f"contact_tolerance must be finite and not negative, not {contact_tolerance!r}"
+        )
     problem = make_problem(scene if isinstance(scene, Scene) else load_scene(scene), judged_by_geos)
     content = read_certificate(certificate)
-    case = make_case(problem, content)
-    tolerance, proof = content.get("contact_tolerance", 0.0), content.get("claim", "path")
-    demand(content["scene"] == fingerprint(problem), "scene", "is not the one certified")
-    demand(0 <= tolerance <= contact_tolerance, "contact_tolerance", "is more than allowed")
-    check_pieces(case, content)
-    proofs = {"separation": check_separation, "disc": check_disc, "end": check_end}
-    claims = proofs.get(proof, check_path)(case, content)
-    return Report(content["verdict"], proof, tolerance, claims)
+    demand(content.scene == fingerprint(problem), keys.SCENE, "is not the one certified")
+    return _checked(make_case(problem, content), content.proof, contact_tolerance)
+
+
+def _checked(case: Case, proof: Proof, contact_tolerance: float) -> Verification:
+    if isinstance(proof, PathProof):
+        allowed = 0 <= proof.contact_tolerance <= contact_tolerance
+        demand(allowed, keys.CONTACT_TOLERANCE, "is more than allowed")
+        claims = check_path(case, proof)
+        return Verification(keys.PATH, keys.PATH, proof.contact_tolerance, claims)
+    if isinstance(proof, Separation):
+        claims = check_separation(case, proof)
+        return Verification(keys.NO_PATH, keys.SEPARATION_CLAIM, 0.0, claims)
+    if isinstance(proof, DiscProof):
+        claims = check_disc(case, proof)
+        return Verification(keys.NO_PATH, keys.DISC_CLAIM, 0.0, claims)
+    return Verification(keys.NO_PATH, keys.END_CLAIM, 0.0, check_end(case, proof))

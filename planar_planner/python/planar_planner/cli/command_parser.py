@@ -24,7 +24,7 @@ class CommandParser(argparse.ArgumentParser):
     ----------
     examples : tuple of str
         Command lines without the program's name, shown below the help. They run as they stand, one
-        after another in an empty folder (tests/planner/test_help.py).
+        after another in an empty folder (tests/planner/cli/test_help.py).
     """
 
     def __init__(self, *, examples: Sequence[str] = (), status: str = "", **settings: Any) -> None:

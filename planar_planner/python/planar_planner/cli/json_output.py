@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from planar_planner.output_files import OutputError, check_writable, emit, written_aside
+from planar_planner.errors import OutputError
+from planar_planner.output_files import check_writable, emit, written_aside
 
 STDOUT = "-"
 

@@ -15,8 +15,8 @@ from contextlib import contextmanager
 from types import FrameType
 
 from planar_planner.cli.parser import parse
-from planar_planner.errors import OptionsError, SceneError, one_line
-from planar_planner.output_files import OutputError, complain, flush, use_safe_encoding
+from planar_planner.errors import PlannerError, one_line
+from planar_planner.output_files import complain, flush, use_safe_encoding
 
 EXIT_BAD_INPUT = 2
 EXIT_UNDECIDED = 3
@@ -38,7 +38,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except MemoryError:
         complain("undecided: out of memory")
         return EXIT_UNDECIDED
-    except (SceneError, OptionsError, OutputError) as error:
+    except PlannerError as error:
         complain(one_line(str(error)))
         return EXIT_BAD_INPUT
     except Exception as error:

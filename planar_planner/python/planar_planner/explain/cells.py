@@ -10,13 +10,12 @@ import itertools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-if TYPE_CHECKING:
-    from planar_planner.planning.planner import Planner
+from planar_planner.frozen_arrays import FrozenArrays, freeze
 
 FREE, STAR, FULL, MIXED = range(4)
 LABELS = ("FREE", "STAR", "FULL", "MIXED")
@@ -34,7 +33,7 @@ LABEL_COLOURS = {
 
 
 @dataclass(frozen=True, eq=False)
-class Cells:
+class Cells(FrozenArrays):
     """Boxes in (x, y, theta) that tile the configuration space, or some of them.
 
     Attributes
@@ -55,8 +54,7 @@ class Cells:
     label: NDArray[np.uint8]
 
     def __post_init__(self) -> None:
-        for array in (self.lower, self.upper, self.level, self.label):
-            array.setflags(write=False)
+        freeze(self)
 
     def __len__(self) -> int:
         return len(self.label)
@@ -71,11 +69,6 @@ def make_cells(table: Mapping[str, Any]) -> Cells:
     return Cells(table["lower"], table["upper"], table["level"], table["label"])
 
 
-def cells_of(planner: Planner) -> Cells:
-    """Return the cells that a planner's queries have left; the same as ``planner.cells()``."""
-    return planner.cells()
-
-
 def theta_slice(cells: Cells, theta: float) -> Cells:
     """Return the cells that contain an angle.
 
@@ -87,8 +80,8 @@ def theta_slice(cells: Cells, theta: float) -> Cells:
     cells : Cells
         Where to choose from.
     theta : float
-        Radians; whole turns do not matter. Of a robot that may not turn only its own angle has
-        cells.
+        Radians; whole turns do not matter. A robot that may not turn has cells at its own angle
+        only.
 
     Raises
     ------

@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from planar_planner.frozen_arrays import FrozenArrays, freeze
+
 
 @dataclass(frozen=True, eq=False)
-class Bottleneck:
+class Bottleneck(FrozenArrays):
     """A way from start to goal through the wall whose deepest overlap is least, and where that is.
 
     The depth of a configuration is the greatest over all pairs of a convex piece of the robot and
@@ -62,6 +64,6 @@ def make_bottleneck(found: Mapping[str, Any]) -> Bottleneck | None:
     """Build it from the core's table; None if that is empty."""
     if not len(found["way"]):
         return None
-    for array in (found["way"], found["depth"]):
-        array.setflags(write=False)
-    return Bottleneck(found["way"], found["depth"], int(found["deepest"]))
+    bottleneck = Bottleneck(found["way"], found["depth"], int(found["deepest"]))
+    freeze(bottleneck)
+    return bottleneck

@@ -8,7 +8,7 @@ from planar_planner.explain.cells import Cells
 from planar_planner.planning.options import Options
 from planar_planner.planning.planner import Planner
 from planar_planner.planning.result import Result
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem, with_query
 
 CELLS_TO_SHOW = 100_000
@@ -23,7 +23,7 @@ class Material:
     ----------
     problem : Problem
         The scene, with the query that was answered; with a path its ends are those.
-    region : GoalRegion or None
+    region : GoalSet or None
         The goal, if it is a set of configurations.
     result : PathFound, NoPath or Undecided
         Its answer.
@@ -35,7 +35,7 @@ class Material:
     """
 
     problem: Problem
-    region: GoalRegion | None
+    region: GoalSet | None
     result: Result
     cells: Cells
     second_search: bool
@@ -64,7 +64,7 @@ def gather(
         False: make none, if the answer needed none.
     """
     problem = planner.problem
-    region = problem.goal if isinstance(problem.goal, GoalRegion) else None
+    region = problem.goal if isinstance(problem.goal, GoalSet) else None
     if len(result.path):
         problem = with_query(problem, result.path[0], result.path[-1])
     cells = planner.cells()
@@ -73,5 +73,6 @@ def gather(
     limits = options or Options()
     limits = replace(limits, max_cells=min(limits.max_cells, CELLS_TO_SHOW))
     second = Planner(planner.scene, cells_only=True)
-    second.solve(problem.start, problem.goal, limits)
+    goal = None if isinstance(problem.goal, GoalSet) else problem.goal  # a region is the scene's
+    second.solve(problem.start, goal, limits)
     return Material(problem, region, result, second.cells(), second_search=True)

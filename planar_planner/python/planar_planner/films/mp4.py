@@ -8,9 +8,8 @@ import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 
-from planar_planner.errors import OptionsError
+from planar_planner.errors import OptionsError, OutputError
 from planar_planner.films.canvas import Frame
-from planar_planner.output_files import OutputError
 
 
 def write_mp4(frames: Iterable[Frame], size: tuple[int, int], fps: float, file: Path) -> None:

@@ -20,7 +20,7 @@ from planar_planner.films.pace import Pace
 from planar_planner.pictures.style import BOUNDS, GOAL, MIDWAY, START
 from planar_planner.pictures.world import view_box
 from planar_planner.planning.path_samples import Floats, reach, travel
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Polygons, Problem, ends
 from planar_planner.scene.fields import Box
 
@@ -102,7 +102,7 @@ def _world(problem: Problem, path: Floats) -> dict[str, Any]:
     }
 
 
-def _region(goal: GoalRegion) -> dict[str, Any]:
+def _region(goal: GoalSet) -> dict[str, Any]:
     """Return where the reference point is to get, or the polygon that it is to get out of."""
     escape = goal.left is not None
     text = "goal: reference point gets " + ("out of here" if escape else "in here")

@@ -15,7 +15,7 @@ from planar_planner.pictures.goal_region import draw_goal_region
 from planar_planner.pictures.style import INK
 from planar_planner.pictures.world import draw_ends, draw_world, frame_axes, view_box
 from planar_planner.planning.path_samples import Floats
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem
 
 LEGEND_FROM = 420  # pixels of width; in less the legend would be wider than the picture
@@ -60,7 +60,7 @@ def make_stage(
     path: Floats,
     title: str,
     size: tuple[int, int],
-    region: GoalRegion | None = None,
+    region: GoalSet | None = None,
 ) -> Stage:
     """Draw what stands still.
 
@@ -74,7 +74,7 @@ def make_stage(
         Shown literally.
     size : (width, height)
         In pixels.
-    region : GoalRegion, optional
+    region : GoalSet, optional
         Goal to draw.
     """
     figure = blank_figure(size)

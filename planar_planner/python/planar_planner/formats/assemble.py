@@ -1,4 +1,4 @@
-"""Parts of a file → the content of a scene file.
+"""Parts of a file → a scene.
 
 What a file does not say is taken from the options, or named in one error. The unbounded plane is
 given bounds that change no verdict; coordinates far from the origin are moved there, if that is
@@ -15,6 +15,7 @@ from typing import Any
 from planar_planner.errors import SceneError
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point, Shape
 from planar_planner.scene.fields import Box, Configuration
+from planar_planner.scene.model import Scene
 from planar_planner.tolerances import BOUNDS_SLACK
 
 FAR = 2.0**20
@@ -28,8 +29,8 @@ _CARRIES = {
 }
 
 
-def scene_content(parts: Parts, options: ImportOptions, notes: Notes) -> dict[str, Any]:
-    """Return the content of a scene file.
+def scene_of_parts(parts: Parts, options: ImportOptions, notes: Notes, source: str) -> Scene:
+    """Return the scene.
 
     Raises
     ------
@@ -45,25 +46,22 @@ def scene_content(parts: Parts, options: ImportOptions, notes: Notes) -> dict[st
     given = _bounded(_near_origin(_without_copies(given, notes), notes), notes)
     if given.holds_for:
         notes.say(_CARRIES[given.holds_for])
-    content: dict[str, Any] = {"format": "planar-planner/scene", "version": 1, "name": given.name}
-    content["description"] = " ".join(
-        part if part.endswith(".") else f"{part}."
-        for part in (given.description, *notes.as_lines())
-        if part
+    workspace = None if given.workspace is None else as_geojson([given.workspace])
+    sentences = [part for part in (given.description, *notes.as_lines()) if part]
+    return Scene(
+        robot=as_geojson(given.robot or []),
+        obstacles=[as_geojson([shape]) for shape in given.obstacles],
+        start=given.start or (),
+        goal=given.goal or (),
+        workspace=given.workspace_box if workspace is None else workspace,
+        bounds=given.reference_bounds,
+        rotation=given.rotation,
+        name=given.name,
+        description=" ".join(part if part.endswith(".") else f"{part}." for part in sentences),
+        source=source,
+        notes=notes.as_lines(),
+        holds_for=given.holds_for,
     )
-    if given.workspace is not None:
-        content["workspace"] = as_geojson([given.workspace])
-    elif given.workspace_box is not None:
-        content["workspace"] = {"box": list(given.workspace_box)}
-    if given.reference_bounds is not None:
-        content["reference_bounds"] = list(given.reference_bounds)
-    content["robot"] = as_geojson(given.robot or [])
-    content["obstacles"] = [as_geojson([shape]) for shape in given.obstacles]
-    content["start"] = list(given.start or ())
-    content["goal"] = list(given.goal or ())
-    if not given.rotation:
-        content["rotation"] = False
-    return content
 
 
 def as_geojson(shapes: list[Shape]) -> dict[str, Any]:

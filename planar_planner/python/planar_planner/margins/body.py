@@ -84,7 +84,7 @@ def polygons_of(shapes: Sequence[Rings]) -> Polygons:
     )
     defect = first_defect(*polygons.arrays)
     if defect is not None:
-        raise ClaimError(f"the tolerance is below what rounding allows: {defect[1]}")
+        raise ClaimError(f"the width of the bracket is below what rounding allows: {defect[1]}")
     return polygons
 
 

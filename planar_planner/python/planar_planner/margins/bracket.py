@@ -1,4 +1,4 @@
-"""The bisection: bodies of a family are asked until path and no path are a tolerance apart.
+"""The bisection: bodies of a family are asked until path and no path are near enough.
 
 Every query narrows the bracket whatever it answers; an undecided one leaves a gap that is then
 approached from both sides. What is re-used from one body to the next:
@@ -28,8 +28,8 @@ MOST_UNDECIDED = 6
 """Undecided queries after which the bracket stands as it is."""
 
 NEAR = 0.7
-"""Of the tolerance: how far on either side of a guess is asked first. The body asked about is in
-the middle of that, give or take a tenth, so two that are right leave 0.84 of the tolerance."""
+"""A part of the width asked for: how far on either side of a guess is asked first. The body asked
+about is in the middle of that, give or take a tenth, so two that are right leave 0.84 of it."""
 
 FARTHER = 4.0
 """How much farther after a miss, so that a wrong guess costs a logarithm of its error."""
@@ -96,15 +96,15 @@ class Search:
         self._clock = clock
         self._deadline = clock() + options.timeout
 
-    def narrow(self, bracket: Bracket, tolerance: float) -> None:
-        """Ask until the bracket is as narrow as the tolerance, or a limit is reached."""
-        self._close_in(bracket, tolerance)
-        self._bisect(bracket, tolerance)
+    def narrow(self, bracket: Bracket, width: float) -> None:
+        """Ask until the bracket is as narrow as `width`, or a limit is reached."""
+        self._close_in(bracket, width)
+        self._bisect(bracket, width)
 
-    def _close_in(self, bracket: Bracket, tolerance: float) -> None:
+    def _close_in(self, bracket: Bracket, width: float) -> None:
         """Ask on both sides of where the last path suggests, farther off after a miss."""
-        guess, near = self._guessed(bracket), NEAR * tolerance
-        while guess is not None and _is_open(bracket, tolerance) and bracket.undecided is None:
+        guess, near = self._guessed(bracket), NEAR * width
+        while guess is not None and _is_open(bracket, width) and bracket.undecided is None:
             if bracket.lower < guess - near:
                 low, high = guess - near, guess
             elif bracket.upper > guess + near:
@@ -129,10 +129,10 @@ class Search:
             return None
         return guess
 
-    def _bisect(self, bracket: Bracket, tolerance: float) -> None:
-        while _is_open(bracket, tolerance):
+    def _bisect(self, bracket: Bracket, width: float) -> None:
+        while _is_open(bracket, width):
             low, high = _open_part(bracket)
-            if high - low < 0.25 * tolerance:
+            if high - low < 0.25 * width:
                 bracket.reason = _stuck(bracket)
                 return
             self._ask_between(bracket, low, high)
@@ -147,15 +147,15 @@ class Search:
             bracket.reason = str(error) if needed else bracket.reason
             return
         if not low < body.inner <= body.outer < high:
-            bracket.reason = "the tolerance is below what rounding allows"
+            bracket.reason = "the width of the bracket is below what rounding allows"
             return
         bracket.counts["bodies"] += 1
         self.ask(bracket, body)
 
-    def look_below(self, bracket: Bracket, tolerance: float) -> None:
+    def look_below(self, bracket: Bracket, width: float) -> None:
         """Ask just below the margin at which an end collides: in open scenes that settles it."""
-        if bracket.lower >= self._family.neutral and bracket.upper - bracket.lower > tolerance:
-            self._ask_between(bracket, bracket.upper - tolerance, bracket.upper, needed=False)
+        if bracket.lower >= self._family.neutral and bracket.upper - bracket.lower > width:
+            self._ask_between(bracket, bracket.upper - width, bracket.upper, needed=False)
 
     def ask(self, bracket: Bracket, body: Body) -> None:
         """Learn from one body: from the last path if that still holds, else from a query."""
@@ -206,8 +206,8 @@ def _accept(bracket: Bracket, lower: float, path: Floats, body: Body) -> None:
     bracket.path, bracket.lower_body = path, body
 
 
-def _is_open(bracket: Bracket, tolerance: float) -> bool:
-    return bracket.upper - bracket.lower > tolerance and not bracket.reason
+def _is_open(bracket: Bracket, width: float) -> bool:
+    return bracket.upper - bracket.lower > width and not bracket.reason
 
 
 def _open_part(bracket: Bracket) -> tuple[float, float]:

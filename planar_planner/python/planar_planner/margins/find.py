@@ -10,7 +10,7 @@ from typing import cast
 import numpy as np
 
 from planar_planner.errors import OptionsError
-from planar_planner.load import load_scene
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.margins.body import Body, Family, Floats, geometry_of
 from planar_planner.margins.bracket import Bracket, Search
 from planar_planner.margins.ends import Ends, ends_of, scale_limit
@@ -21,12 +21,11 @@ from planar_planner.margins.scaling import Centre, Scalings
 from planar_planner.margins.surroundings import Surroundings
 from planar_planner.planning.engine import Listener, make_core
 from planar_planner.planning.options import Options
-from planar_planner.planning.planner import SceneLike
 from planar_planner.problem.make import Problem, make_problem
-from planar_planner.scene.model import Scene
 
-DEFAULT_TOLERANCE = 1e-3
-"""Of a factor; of a distance as a part of half the diagonal of the robot's bounding box."""
+DEFAULT_WIDTH = 1e-3
+"""The width of a bracket of factors; that of distances is this part of half the diagonal of the
+robot's bounding box."""
 
 
 def margin(
@@ -35,9 +34,8 @@ def margin(
     *,
     by: By = "offset",
     about: Centre = "reference",
-    tolerance: float | None = None,
+    width: float | None = None,
     listener: Listener | None = None,
-    reuse: bool = True,
 ) -> Margin:
     """Bracket the largest robot for which a path from start to goal remains.
 
@@ -51,13 +49,11 @@ def margin(
         Grow the robot by a distance, all round (shrink it, for a negative one), or scale it.
     about : {"reference", "centroid"}
         What scaling leaves in place: the origin of the robot's frame, or the robot's centroid.
-    tolerance : float, optional
+    width : float, optional
         Width of the bracket, in the scene's unit (by "offset") or of the factor (by "scale"). By
         default 1/1000 of half the diagonal of the robot's bounding box, and 1/1000.
     listener : callable, optional
         Called about ten times a second during a query with its counts; False stops it all.
-    reuse : bool, optional
-        False: forget every path once it has answered; for measuring what re-use spares.
 
     Returns
     -------
@@ -70,25 +66,47 @@ def margin(
         If the scene is not valid or an end is outside the reference bounds. An end that collides is
         no error: shrinking may free it.
     OptionsError
-        If the tolerance is not a positive, finite number.
+        If the width is not a positive, finite number.
     """
+    asked = Asked(by, about, width)
+    return bracketed(make_problem(load_scene(scene)), options or Options(), asked, listener)
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What `margin` is asked for besides scene and limits.
+
+    Attributes
+    ----------
+    by, about, width
+        As of `margin`.
+    reuse : bool
+        False: forget every path once it has answered; for measuring what re-use spares.
+    """
+
+    by: By = "offset"
+    about: Centre = "reference"
+    width: float | None = None
+    reuse: bool = True
+
+
+def bracketed(
+    problem: Problem, options: Options, asked: Asked, listener: Listener | None = None
+) -> Margin:
+    """Return the bracket; see `margin`."""
     began = time.monotonic()
-    loaded = scene if isinstance(scene, Scene) else load_scene(scene)
-    problem = make_problem(loaded)
-    width = _tolerance(problem, by, tolerance)
+    by, width = asked.by, _width(problem, asked)
     around = Surroundings(problem)
     ends = ends_of(problem, make_core(problem), around)
     family: Family
     if by == "scale":
-        scalings = Scalings(problem.robot, about)
+        scalings = Scalings(problem.robot, asked.about)
         family, (limit, binding) = scalings, scale_limit(problem, scalings, ends, 0.25 * width)
     else:
         family, limit, binding = Offsets(problem.robot), ends.limit, ends.binding
     bracket = Bracket(family.vanishing, limit, binding=binding)
     narrowest = _Narrowest(problem, by, around)
-    search = Search(
-        problem, family, options or Options(), listener, reuse=reuse, guess=narrowest.guess
-    )
+    search = Search(problem, family, options, listener, reuse=asked.reuse, guess=narrowest.guess)
     search.ask(bracket, Body(problem.robot, family.neutral, family.neutral))
     if bracket.lower >= family.neutral and not math.isfinite(bracket.upper):
         bracket.lower = math.inf
@@ -101,15 +119,15 @@ def margin(
     return _result(found, narrowest, time.monotonic() - began)
 
 
-def _tolerance(problem: Problem, by: By, tolerance: float | None) -> float:
-    if tolerance is not None:
-        if not (tolerance > 0.0 and math.isfinite(tolerance)):
-            raise OptionsError(f"tolerance must be positive and finite, not {tolerance!r}")
-        return float(tolerance)
-    if by == "scale":
-        return DEFAULT_TOLERANCE
+def _width(problem: Problem, asked: Asked) -> float:
+    if asked.width is not None:
+        if not (asked.width > 0.0 and math.isfinite(asked.width)):
+            raise OptionsError(f"width must be positive and finite, not {asked.width!r}")
+        return float(asked.width)
+    if asked.by == "scale":
+        return DEFAULT_WIDTH
     extent = np.ptp(problem.robot.coords, axis=0)
-    return DEFAULT_TOLERANCE * 0.5 * math.hypot(*extent.tolist())
+    return DEFAULT_WIDTH * 0.5 * math.hypot(*extent.tolist())
 
 
 class _Narrowest:
@@ -157,7 +175,7 @@ class _Measured:
 
     problem: Problem
     by: By
-    tolerance: float
+    width: float
     monotone: bool
     ends: Ends
     bracket: Bracket
@@ -172,7 +190,7 @@ def _result(found: _Measured, narrowest: _Narrowest, seconds: float) -> Margin:
         by=found.by,
         lower=bracket.lower,
         upper=bracket.upper,
-        tolerance=found.tolerance,
+        width=found.width,
         monotone=found.monotone,
         reason=bracket.reason,
         binding="size" if vanishes else cast(Binding, bracket.binding),

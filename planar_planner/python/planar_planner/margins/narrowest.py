@@ -14,7 +14,7 @@ from collections.abc import Callable
 import numpy as np
 
 from planar_planner.margins.body import Floats
-from planar_planner.margins.surroundings import Contact, Surroundings, placed, shape_of
+from planar_planner.margins.surroundings import NearestPoints, Surroundings, placed, shape_of
 from planar_planner.problem.make import Polygons, Problem
 from planar_planner.tolerances import LAST_STEP
 
@@ -36,7 +36,7 @@ little beside the exact summit, where all of a bottleneck's contacts are equally
 
 Clearance = Callable[[Floats], float]
 Climbed = tuple[float, Floats]
-Found = tuple[Floats, float, tuple[Contact, ...]]
+Found = tuple[Floats, float, tuple[NearestPoints, ...]]
 
 
 def find_bottleneck(

@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
-from planar_planner.margins.surroundings import Contact
+from planar_planner.errors import shown
+from planar_planner.frozen_arrays import FrozenArrays
+from planar_planner.margins.surroundings import NearestPoints
 
 FORMAT = "planar-planner/margin"
 VERSION = 1
@@ -30,18 +32,21 @@ class NarrowPlace:
     clearance : float
         Distance of the robot, at the margin's lower end, from what is nearest; offsets of at least
         0: of the robot as it is.
-    contacts : tuple of Contact
+    contacts : tuple of NearestPoints
         What it is nearest to, nearest first.
     """
 
     configuration: tuple[float, float, float]
     clearance: float
-    contacts: tuple[Contact, ...]
+    contacts: tuple[NearestPoints, ...]
 
 
-@dataclass(frozen=True, eq=False)
-class Margin:
+@dataclass(frozen=True, eq=False, repr=False)
+class Margin(FrozenArrays):
     """A bracket of the largest robot for which a path remains, both ends proven.
+
+    Two margins are equal if all but `counts` and `seconds` is, every number exactly. A margin has
+    no truth value.
 
     Attributes
     ----------
@@ -54,7 +59,7 @@ class Margin:
         A path is certified for the robot of margin `lower`, and proven absent for that of margin
         `upper`. At `lower` a robot without area is free everywhere. Infinite if there is nothing to
         touch.
-    tolerance : float
+    width : float
         What ``upper - lower`` was to come down to.
     monotone : bool
         Whether larger margins are larger robots. If not (scaling a robot that is not star-shaped
@@ -85,7 +90,7 @@ class Margin:
     by: By
     lower: float
     upper: float
-    tolerance: float
+    width: float
     monotone: bool
     reason: str
     binding: Binding
@@ -115,6 +120,28 @@ class Margin:
         """Whether the bracket is as narrow as asked for and says which side the robot is on."""
         return not self.reason and self.verdict != "undecided"
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Margin):
+            return NotImplemented
+        return self._compared() == other._compared()
+
+    def __hash__(self) -> int:
+        return hash((self.scene, self.by, self.lower, self.upper))
+
+    def __bool__(self) -> NoReturn:
+        """Refuse: every margin would be true, one that lets nothing pass too."""
+        raise TypeError("a margin is neither true nor false; compare margin.verdict, or its ends")
+
+    def __repr__(self) -> str:
+        end = f", {shown(self.reason)}" if self.reason else ""
+        return (
+            f"<Margin {shown(self.scene)}: by {self.by}, [{self.lower:.6g}, {self.upper:.6g}], "
+            f"{self.verdict}{end}>"
+        )
+
+    def _compared(self) -> dict[str, Any]:
+        return self.to_json() | {"counts": None, "seconds": None}
+
     def to_json(self) -> dict[str, Any]:
         """Return the margin as a JSON object: plain, finite values only, others as null."""
         return {
@@ -124,7 +151,7 @@ class Margin:
             "by": self.by,
             "lower": _finite(self.lower),
             "upper": _finite(self.upper),
-            "tolerance": self.tolerance,
+            "width": self.width,
             "monotone": self.monotone,
             "verdict": self.verdict,
             "decided": self.decided,

@@ -50,7 +50,7 @@ def circumscribed(ring: Floats, radius: float, excess: float) -> Floats:
     turns = np.mod(angles - before, math.tau)
     step = 2.0 * math.acos(radius / (radius + excess))
     if step * MOST_STEPS < math.tau:
-        raise ClaimError("the tolerance is too small beside the margin: a body has too many edges")
+        raise ClaimError("the width is too small beside the margin: a body has too many edges")
     points: list[Floats] = []
     for vertex, first, turn in zip(ring, before, turns, strict=True):
         count = max(1, math.ceil(turn / step))

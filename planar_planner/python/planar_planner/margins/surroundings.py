@@ -18,7 +18,7 @@ WORKSPACE = -1
 
 
 @dataclass(frozen=True)
-class Contact:
+class NearestPoints:
     """The nearest points of the robot and of an edge that it must not cross.
 
     Attributes
@@ -74,17 +74,17 @@ class Surroundings:
         found = self._tree.query_nearest(body, return_distance=True, all_matches=False)
         return float(found[1][0])
 
-    def contacts(self, body: shapely.Geometry, within: float) -> tuple[Contact, ...]:
+    def contacts(self, body: shapely.Geometry, within: float) -> tuple[NearestPoints, ...]:
         """Return the nearest points of edges within a distance, nearest first.
 
         Of edges that meet in the nearest point one stands for all.
         """
-        found: dict[tuple[int, float, float], Contact] = {}
+        found: dict[tuple[int, float, float], NearestPoints] = {}
         for i in sorted(self._tree.query(body, predicate="dwithin", distance=within).tolist()):
             line = shapely.shortest_line(body, self._edges[i])
             (ax, ay), (bx, by) = line.coords
             owner = int(self._owners[i])
-            contact = Contact(owner, (ax, ay), (bx, by), float(line.length))
+            contact = NearestPoints(owner, (ax, ay), (bx, by), float(line.length))
             found.setdefault((owner, bx, by), contact)
         return tuple(sorted(found.values(), key=lambda c: (c.distance, c.obstacle)))
 

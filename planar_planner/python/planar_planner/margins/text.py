@@ -10,7 +10,7 @@ from planar_planner.errors import one_line
 
 if TYPE_CHECKING:
     from planar_planner.margins.result import Margin
-    from planar_planner.margins.surroundings import Contact
+    from planar_planner.margins.surroundings import NearestPoints
 
 _VERDICTS = {
     "path": "a path remains",
@@ -55,7 +55,7 @@ def margin_details(margin: Margin) -> str:
 def _range(margin: Margin) -> str:
     if math.isinf(margin.lower):
         return "the robot can be as large as you like"
-    digits = 2 + max(0, math.ceil(-math.log10(margin.tolerance)))
+    digits = 2 + max(0, math.ceil(-math.log10(margin.width)))
     low, high = round(margin.lower, digits), round(margin.upper, digits)
     what = "scaled by" if margin.by == "scale" else "grown by"
     if margin.by == "offset" and margin.upper <= 0.0:
@@ -81,7 +81,7 @@ def _bottleneck_lines(margin: Margin) -> list[str]:
     ]
 
 
-def _name(contact: Contact) -> str:
+def _name(contact: NearestPoints) -> str:
     return "the workspace" if contact.obstacle < 0 else f"obstacles[{contact.obstacle}]"
 
 

@@ -22,14 +22,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from planar_planner.errors import OptionsError
-from planar_planner.load import load_scene
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.ompl.samplers import DEFAULT_SAMPLERS, INSTALL_HINT, check_samplers
 from planar_planner.planning.certificate import make_certificate
 from planar_planner.planning.engine import ask, make_core
 from planar_planner.planning.options import Options
 from planar_planner.planning.path_judge import Judge
 from planar_planner.planning.placement import check_placements
-from planar_planner.planning.planner import SceneLike
 from planar_planner.planning.result import Result, make_result
 from planar_planner.problem.make import Problem, make_problem, point_goal
 from planar_planner.scene.model import Scene
@@ -52,7 +51,7 @@ class Settings:
         Names of OMPL's planners.
     runs : int
         Repetitions, each sampler's with a seed of its own.
-    limit : float
+    timeout : float
         Seconds for one run, ours too.
     resolution : float
         Of OMPL's motion validation, as a fraction of the space's extent; in (0, 1].
@@ -62,7 +61,7 @@ class Settings:
 
     planners: tuple[str, ...] = DEFAULT_SAMPLERS
     runs: int = 11
-    limit: float = 10.0
+    timeout: float = 10.0
     resolution: float = 0.002
     seed: int = 0
 
@@ -70,8 +69,8 @@ class Settings:
         object.__setattr__(self, "planners", check_samplers(self.planners))
         if not 1 <= self.runs <= 10_000:
             raise OptionsError(f"runs must be between 1 and 10000, not {self.runs!r}")
-        if not (self.limit > 0 and math.isfinite(self.limit)):
-            raise OptionsError(f"limit must be positive and finite, not {self.limit!r}")
+        if not (self.timeout > 0 and math.isfinite(self.timeout)):
+            raise OptionsError(f"timeout must be positive and finite, not {self.timeout!r}")
         if not 0 < self.resolution <= 1:
             raise OptionsError(f"resolution must be in (0, 1], not {self.resolution!r}")
         if not 0 <= self.seed <= MAX_SEED:
@@ -184,7 +183,7 @@ def check_scene(scene: SceneLike) -> tuple[Scene, Problem]:
     SceneError
         If it is not valid, or start or goal collide or are out of bounds.
     """
-    loaded = scene if isinstance(scene, Scene) else load_scene(scene)
+    loaded = load_scene(scene)
     problem = make_problem(loaded)
     point_goal(problem, "a comparison with samplers")
     check_placements(make_core(problem), problem, 0.0)
@@ -212,8 +211,8 @@ def compare(
     loaded, problem = check_scene(scene)
     reading = time.perf_counter() - began
     judge = Judge(problem)
-    run_ours(problem, judge, settings.limit)  # once untimed: imports, the processor's clock
-    ours = tuple(run_ours(problem, judge, settings.limit) for _ in range(settings.runs))
+    run_ours(problem, judge, settings.timeout)  # once untimed: imports, the processor's clock
+    ours = tuple(run_ours(problem, judge, settings.timeout) for _ in range(settings.runs))
     samplers: dict[str, tuple[SamplerRun, ...]] = {}
     for name in settings.planners:
         runs = []
@@ -226,9 +225,9 @@ def compare(
     return SceneComparison(loaded.name, reading, ours, samplers)
 
 
-def run_ours(problem: Problem, judge: Judge, limit: float) -> OurRun:
+def run_ours(problem: Problem, judge: Judge, timeout: float) -> OurRun:
     """Answer the query once on a fresh core, then export the certificate."""
-    options = Options(timeout=limit)
+    options = Options(timeout=timeout)
     began = time.perf_counter()
     core = make_core(problem)
     answer = ask(core, problem, options)
@@ -259,7 +258,7 @@ def run_samplers(
             "scene": scene.to_dict(),
             "planner": planner,
             "seed": seed,
-            "limit": settings.limit,
+            "timeout": settings.timeout,
             "resolution": settings.resolution,
         }
         yield sampler_run(planner, seed, _in_a_process(request), judge)
@@ -298,7 +297,7 @@ def _in_a_process(request: dict[str, Any]) -> dict[str, Any]:
             input=json.dumps(request),
             capture_output=True,
             text=True,
-            timeout=2 * request["limit"] + GRACE,
+            timeout=2 * request["timeout"] + GRACE,
             check=False,
         )
     except subprocess.TimeoutExpired:

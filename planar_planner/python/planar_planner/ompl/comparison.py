@@ -101,7 +101,7 @@ def _sampler_row(name: str, runs: Sequence[SamplerRun], settings: Settings) -> t
 
 def _times(seconds: Sequence[float], settings: Settings) -> tuple[str, str]:
     def text(value: float) -> str:
-        return f"> {1e3 * settings.limit:.0f}" if math.isinf(value) else f"{1e3 * value:.3g}"
+        return f"> {1e3 * settings.timeout:.0f}" if math.isinf(value) else f"{1e3 * value:.3g}"
 
     found = spread(seconds)
     return text(found.median), f"{text(found.lower)} to {text(found.upper)}"

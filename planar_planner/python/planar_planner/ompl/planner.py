@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from planar_planner.load import load_scene
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.ompl.setup import (
     Setup,
     base,
@@ -40,7 +40,7 @@ from planar_planner.ompl.setup import (
 )
 from planar_planner.planning.options import Options
 from planar_planner.planning.path_judge import Judge
-from planar_planner.planning.planner import Planner, SceneLike
+from planar_planner.planning.planner import Planner
 from planar_planner.planning.result import NoPath, PathFound, Result, Undecided
 from planar_planner.problem.make import make_problem, point_goal
 from planar_planner.scene.fields import Configuration
@@ -102,7 +102,7 @@ class CompletePlanner(base.Planner):  # type: ignore[misc]  # OMPL may be absent
         space = information.getStateSpace()
         self._turning = _turns(space)
         self._options = options or Options()
-        loaded = scene if isinstance(scene, Scene) else load_scene(scene)
+        loaded = load_scene(scene)
         self._planner = Planner(_in_space(loaded, space, turning=self._turning))
         self._judge = Judge(self._planner.problem)
         self._theta = self._planner.problem.start[2]
@@ -269,7 +269,7 @@ def _in_space(scene: Scene, space: Any, *, turning: bool) -> Scene:
         return scene
     lower = [max(low[k], own[k]) for k in (0, 1)]
     upper = [min(high[k], own[k + 2]) for k in (0, 1)]
-    return replace(scene, reference_bounds=[*lower, *upper])
+    return replace(scene, bounds=[*lower, *upper])
 
 
 def _goal_states(goal: Any) -> list[Any] | None:

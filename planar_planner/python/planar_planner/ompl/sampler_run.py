@@ -36,7 +36,7 @@ def run(request: Mapping[str, Any]) -> dict[str, Any]:
     Parameters
     ----------
     request : mapping
-        ``scene`` (content of a scene file), ``planner``, ``seed``, ``limit`` (seconds),
+        ``scene`` (content of a scene file), ``planner``, ``seed``, ``timeout`` (seconds),
         ``resolution``.
 
     Returns
@@ -51,7 +51,7 @@ def run(request: Mapping[str, Any]) -> dict[str, Any]:
     util = import_ompl("util")
     util.setLogLevel(util.LogLevel.LOG_NONE)
     problem = make_problem(load_scene(request["scene"]))
-    limit = float(request["limit"])
+    limit = float(request["timeout"])
     util.RNG.setSeed(request["seed"])
     _attempt(problem, request, min(WARM_UP, limit))
     util.RNG.setSeed(request["seed"])

@@ -13,13 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from planar_planner._core import StateCheck
-from planar_planner.load import load_scene
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.ompl.samplers import check_samplers, import_ompl
 from planar_planner.planning.path_judge import Judge, unwrapped
-from planar_planner.planning.planner import SceneLike
 from planar_planner.problem.make import Problem, make_problem, point_goal
 from planar_planner.scene.fields import Configuration
-from planar_planner.scene.model import Scene
 
 base: Any = import_ompl("base")
 geometric: Any = import_ompl("geometric")
@@ -87,7 +85,7 @@ def set_up(scene: SceneLike, *, resolution: float = RESOLUTION) -> Setup:
         If the scene is not valid.
     """
     return set_up_problem(
-        make_problem(scene if isinstance(scene, Scene) else load_scene(scene)),
+        make_problem(load_scene(scene)),
         resolution=resolution,
     )
 

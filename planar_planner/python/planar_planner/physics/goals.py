@@ -10,7 +10,7 @@ import shapely.ops
 
 from planar_planner.physics.shapes import shapely_polygons
 from planar_planner.planning.path_samples import reach
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem
 from planar_planner.scene.fields import Configuration
 
@@ -22,7 +22,7 @@ def nearest_goal(problem: Problem, q: Configuration) -> Configuration:
     and theta turns the shorter way to the interval.
     """
     goal = problem.goal
-    if not isinstance(goal, GoalRegion):
+    if not isinstance(goal, GoalSet):
         return goal[0], goal[1], q[2] + math.remainder(goal[2] - q[2], math.tau)
     region, point = _union(goal), shapely.Point(q[:2])
     x, y = q[:2]
@@ -53,5 +53,5 @@ def _turn_into(angles: tuple[float, float] | None, theta: float) -> float:
 
 
 @lru_cache(maxsize=8)
-def _union(goal: GoalRegion) -> shapely.Geometry:
+def _union(goal: GoalSet) -> shapely.Geometry:
     return shapely.union_all(list(shapely_polygons(goal.polygons)))

@@ -29,7 +29,7 @@ from planar_planner.problem.make import Problem
 from planar_planner.scene.fields import Configuration
 
 if TYPE_CHECKING:
-    from planar_planner.planning.planner import SceneLike
+    from planar_planner.load import SceneLike
 
 STEPS_PER_REACH = 256
 STEPS_PER_WIDTH = 8

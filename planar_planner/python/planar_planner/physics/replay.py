@@ -17,10 +17,9 @@ from planar_planner.physics.world import engine_name, make_world, rounding
 from planar_planner.planning.path_samples import equal_steps, reach, travel
 from planar_planner.problem.make import Problem, make_problem
 from planar_planner.scene.fields import Box
-from planar_planner.scene.model import Scene
 
 if TYPE_CHECKING:
-    from planar_planner.planning.planner import SceneLike
+    from planar_planner.load import SceneLike
 
 STEPS_PER_REACH = 256
 """Configurations for each reach of the robot that it travels. Between two of them a penetration of
@@ -106,7 +105,7 @@ def problem_of(scene: SceneLike | Problem) -> Problem:
     """Return the valid problem behind whatever names a scene."""
     if isinstance(scene, Problem):
         return scene
-    return make_problem(scene if isinstance(scene, Scene) else load_scene(scene))
+    return make_problem(load_scene(scene))
 
 
 def outside(bounds: Box | None, waypoints: Floats) -> float:

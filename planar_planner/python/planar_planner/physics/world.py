@@ -134,7 +134,7 @@ def _cells(shapes: list[Shape]) -> tuple[float, int]:
 
     Chipmunk's other index, a tree, remembers for each pair the features that were last in contact
     and starts from them: on edges that touch, its search then may end at a wrong feature and report
-    a depth of half the robot where there is none (tests/planner/test_physics_engine.py). The hash
+    a depth of half the robot where there is none (tests/planner/physics). The hash
     starts each search afresh.
     """
     vertices = np.concatenate([shape.vertices for shape in shapes])

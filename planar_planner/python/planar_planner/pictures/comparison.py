@@ -66,7 +66,7 @@ def draw_comparison(
         colour, marker = COLOURS[k % len(COLOURS)], MARKERS[k // len(COLOURS) % len(MARKERS)]
         offset = _offset(k + 1, count)
         _series(axes, seconds, settings, offset, label=name, color=colour, marker=marker)
-    axes.axhline(1e3 * settings.limit, color="#888888", linewidth=0.8, linestyle="--")
+    axes.axhline(1e3 * settings.timeout, color="#888888", linewidth=0.8, linestyle="--")
     axes.set_yscale("log")
     axes.set_ylabel("time to first solution, with preparation (ms)\nmedian and quartiles")
     names = [each.scene for each in comparisons]
@@ -80,7 +80,7 @@ def draw_comparison(
     )
     axes.set_title(
         f"{settings.runs} runs each, OMPL's motion resolution {settings.resolution:g}\n"
-        f"crosses: the median run has no answer within {settings.limit:g} s",
+        f"crosses: the median run has no answer within {settings.timeout:g} s",
         fontsize="small",
     )
     axes.grid(axis="y", color="#E5E5E5")
@@ -102,7 +102,7 @@ def _series(
     **style: Any,
 ) -> None:
     """Draw a planner: a marker with a bar a scene, or a cross above the limit."""
-    ceiling = LIMIT_FACTOR * 1e3 * settings.limit
+    ceiling = LIMIT_FACTOR * 1e3 * settings.timeout
     found = [(i + offset, spread(values)) for i, values in enumerate(seconds)]
     solved = [(x, s) for x, s in found if math.isfinite(s.median)]
     axes.errorbar(

@@ -11,10 +11,10 @@ from matplotlib.patches import Patch
 
 from planar_planner.pictures.shapes import polygon_paths
 from planar_planner.pictures.style import GOAL, rgba
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 
 
-def draw_goal_region(axes: Axes, goal: GoalRegion) -> list[Artist]:
+def draw_goal_region(axes: Axes, goal: GoalSet) -> list[Artist]:
     """Draw where the reference point is to get, or the polygon that it is to get out of."""
     style: dict[str, Any] = {"linewidth": 1.4, "edgecolor": GOAL}
     if goal.left is None:

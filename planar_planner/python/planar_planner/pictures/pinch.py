@@ -31,7 +31,7 @@ from planar_planner.pictures.style import INK, MIDWAY, OVERLAP, new_figure, rgba
 from planar_planner.pictures.world import draw_ends, draw_world, frame_axes, title_of, view_box
 from planar_planner.planning.path_samples import Floats, equal_parts, reach
 from planar_planner.planning.result import Result
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem, ends, make_problem, with_query
 from planar_planner.scene.model import Scene
 
@@ -68,8 +68,7 @@ def draw_wall(
     scene : Scene
         The scene, as loaded.
     wall : Cells
-        Of a planner that has proven that there is no path (`Planner.wall`), or of a certificate
-        (`planar_planner.explain.wall.wall_of`).
+        `Planner.wall` of a planner that has proven that there is no path.
     bottleneck : Bottleneck
         Of the same planner.
     file : path, optional
@@ -94,7 +93,7 @@ def draw_wall(
     whole, close = figure.add_subplot(grid[0]), figure.add_subplot(grid[1])
     keys = draw_world(whole, problem)
     keys += draw_ends(whole, problem)
-    if isinstance(problem.goal, GoalRegion):
+    if isinstance(problem.goal, GoalSet):
         keys += draw_goal_region(whole, problem.goal)
     keys += _draw_pinch(whole, problem, bottleneck)
     outlined = workspace_path(problem) is not None

@@ -26,7 +26,7 @@ from planar_planner.pictures.world import (
 )
 from planar_planner.planning.path_samples import Floats, equal_steps, reach, travel
 from planar_planner.planning.result import Result
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem, make_problem, with_query
 from planar_planner.scene.model import Scene
 
@@ -76,7 +76,7 @@ def draw_scene(
     figure = new_figure(*figure_size(view))
     axes = figure.add_subplot()
     keys = draw_world(axes, problem)
-    if isinstance(region, GoalRegion):
+    if isinstance(region, GoalSet):
         keys += draw_goal_region(axes, region)
     keys += draw_path(axes, problem, path)
     keys += draw_ends(axes, problem)

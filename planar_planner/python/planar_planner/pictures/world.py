@@ -21,7 +21,7 @@ from planar_planner.pictures.shapes import (
 from planar_planner.pictures.style import BOUNDS, GOAL, INK, OBSTACLE, OUTSIDE, START, rgba
 from planar_planner.planning.path_samples import Floats, reach
 from planar_planner.planning.result import Result
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem, ends
 from planar_planner.scene.fields import Box
 
@@ -115,7 +115,7 @@ def view_box(problem: Problem, path: Floats) -> Box:
         limits = corners(problem.reference_bounds)
         points += [limits - reach(problem.robot), limits + reach(problem.robot)]
     points += [moved(problem.robot.coords, q) for q in ends(problem).values()]
-    if isinstance(problem.goal, GoalRegion):
+    if isinstance(problem.goal, GoalSet):
         points.append((problem.goal.left or problem.goal.polygons).coords)
     cloud = np.concatenate(points)
     low, high = cloud.min(axis=0), cloud.max(axis=0)

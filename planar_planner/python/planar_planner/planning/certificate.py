@@ -1,7 +1,6 @@
 """Certificates: the evidence for an answer as a JSON object, and as a file.
 
-The format and what it proves: docs/certificate.md. Checked by `planar_planner.checker`, which
-shares nothing with this side.
+The format and what it proves: docs/certificate.md. `planar_planner.checker` reads and checks it.
 """
 
 from __future__ import annotations
@@ -9,25 +8,38 @@ from __future__ import annotations
 import gzip
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from planar_planner import certificate_keys as keys
+from planar_planner._core import (
+    ClaimKind,
+    NamedClaim,
+    NamedCollision,
+    NamedDomain,
+    NamedEdge,
+    NamedEvidence,
+    NamedInterval,
+    NamedJoint,
+    NamedPolygon,
+    NamedTerm,
+)
 from planar_planner.problem.fingerprint import fingerprint
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem
 from planar_planner.scene.fields import Configuration
 from planar_planner.version import package_version
 
-FORMAT = "planar-planner/certificate"
-VERSION = 1
-
 Certificate = dict[str, Any]
+
+Pieces = dict[str, list[list[list[float]]]]
+"""Convex pieces by the number of their polygon, vertices as [x, y]."""
 
 
 def make_certificate(
-    problem: Problem, evidence: Mapping[str, Any], contact_tolerance: float
+    problem: Problem, evidence: NamedEvidence, contact_tolerance: float
 ) -> Certificate | None:
     """Build the certificate of an answer from the core's evidence.
 
@@ -35,35 +47,38 @@ def make_certificate(
     ----------
     problem : Problem
         What was asked, with the start and goal of the query.
-    evidence : mapping
-        Of the core, straight after the answer; its lists become part of the certificate.
+    evidence : NamedEvidence
+        What the core gives straight after the answer.
     contact_tolerance : float
-        Of the query.
+        The query's.
 
     Returns
     -------
     dict or None
         A JSON object; None for an undecided answer.
     """
-    kind = evidence["kind"]
-    if kind == "none":
+    if evidence.kind == ClaimKind.NONE:
         return None
-    content: Certificate = {
-        "format": FORMAT,
-        "version": VERSION,
-        "made_by": f"planar-planner {package_version()}",
-        "scene": fingerprint(problem),
-        "verdict": "path" if kind == "path" else "no_path",
-        "robot_pieces": evidence["robot_pieces"],
-        "obstacle_pieces": evidence["obstacle_pieces"],
+    robot, obstacles = _pieces(evidence.robot_pieces), _pieces(evidence.obstacle_pieces)
+    certificate: Certificate = {
+        keys.FORMAT: keys.FORMAT_NAME,
+        keys.VERSION: keys.FORMAT_VERSION,
+        keys.MADE_BY: f"planar-planner {package_version()}",
+        keys.SCENE: fingerprint(problem),
+        keys.VERDICT: keys.PATH if evidence.kind == ClaimKind.PATH else keys.NO_PATH,
+        keys.ROBOT_PIECES: robot,
+        keys.OBSTACLE_PIECES: obstacles,
     }
-    if "outside" in evidence:
-        content["outside"] = evidence["outside"]
-    if kind == "path":
-        return content | _path(problem, evidence, contact_tolerance)
-    if kind == "end":
-        return content | _end(evidence)
-    return content | _separation(evidence)
+    if evidence.outside is not None:
+        certificate[keys.OUTSIDE] = evidence.outside
+    if evidence.kind == ClaimKind.PATH:
+        return certificate | _path(problem, evidence, contact_tolerance)
+    if evidence.kind == ClaimKind.END:
+        return certificate | _end(evidence)
+    if evidence.kind == ClaimKind.DISC:
+        return certificate | _disc(evidence, obstacles)
+    separation = _separation(evidence, robot, obstacles)
+    return certificate | {keys.CLAIM: keys.SEPARATION_CLAIM} | separation
 
 
 def write_certificate(content: Certificate, file: Path, name: str) -> None:
@@ -75,20 +90,34 @@ def write_certificate(content: Certificate, file: Path, name: str) -> None:
     file.write_bytes(data)
 
 
-def _path(problem: Problem, evidence: Mapping[str, Any], contact_tolerance: float) -> Certificate:
-    waypoints = evidence["waypoints"]
-    ends = [(waypoints[0], problem.start)]
-    if isinstance(problem.goal, GoalRegion):
-        waypoints[-1] = _turned_into(waypoints[-1], problem.goal, problem.rotation)
+def _pieces(polygons: Sequence[NamedPolygon]) -> Pieces:
+    return {str(named.polygon): named.pieces for named in polygons}
+
+
+def _owner(edge: NamedEdge) -> str:
+    return keys.OBSTACLE if edge.of_obstacle else keys.ROBOT
+
+
+def _path(problem: Problem, evidence: NamedEvidence, contact_tolerance: float) -> Certificate:
+    *others, last = evidence.waypoints
+    waypoints = [[*waypoint, 0] for waypoint in others]  # no turns
+    ends = [(evidence.waypoints[0], problem.start)]
+    if isinstance(problem.goal, GoalSet):
+        waypoints.append(_turned_into(last, problem.goal, problem.rotation))
     else:
-        waypoints[-1] = _turned_goal(waypoints[-1], problem.goal)
-        ends.append((waypoints[-1], problem.goal))
+        waypoints.append(_turned_goal(last, problem.goal))
+        ends.append((last, problem.goal))
     moved = any((at[0], at[1]) != (end[0], end[1]) for at, end in ends)
     return {
-        "contact_tolerance": contact_tolerance if moved else 0.0,
-        "waypoints": waypoints,
-        "segments": evidence["segments"],
+        keys.CONTACT_TOLERANCE: contact_tolerance if moved else 0.0,
+        keys.WAYPOINTS: waypoints,
+        keys.SEGMENTS: [[_interval(each) for each in segment] for segment in evidence.segments],
     }
+
+
+def _interval(interval: NamedInterval) -> Certificate:
+    apart = [[*each.pair, _owner(each.edge), each.edge.edge] for each in interval.separators]
+    return {keys.FROM: interval.begin, keys.TO: interval.end, keys.APART: apart}
 
 
 def _turned_goal(waypoint: Sequence[float], goal: Configuration) -> list[Any]:
@@ -97,9 +126,9 @@ def _turned_goal(waypoint: Sequence[float], goal: Configuration) -> list[Any]:
     return [waypoint[0], waypoint[1], goal[2], turns]
 
 
-def _turned_into(waypoint: Sequence[float], goal: GoalRegion, turning: bool) -> list[Any]:
+def _turned_into(waypoint: Sequence[float], goal: GoalSet, turning: bool) -> list[Any]:
     """Write the last angle as one of the goal's interval, which it is up to rounding, and turns."""
-    x, y, theta = waypoint[:3]
+    x, y, theta = waypoint
     if goal.angles is None or not turning:
         return [x, y, theta, 0]
     turns = round((theta - 0.5 * (goal.angles[0] + goal.angles[1])) / math.tau)
@@ -107,59 +136,99 @@ def _turned_into(waypoint: Sequence[float], goal: GoalRegion, turning: bool) -> 
     return [x, y, min(max(own, goal.angles[0]), goal.angles[1]), turns]
 
 
-def _end(evidence: Mapping[str, Any]) -> Certificate:
-    content: Certificate = {"claim": "end", "end": evidence["end"]}
-    if "reference_bounds" in evidence:
-        return content | {"reference_bounds": True}
-    return content | dict(evidence["witness"])
+def _end(evidence: NamedEvidence) -> Certificate:
+    end = keys.GOAL if evidence.goal_end else keys.START
+    content: Certificate = {keys.CLAIM: keys.END_CLAIM, keys.END: end}
+    if evidence.out_of_bounds:
+        return content | {keys.REFERENCE_BOUNDS: True}
+    return content | _collision(evidence.collision)
 
 
-def _separation(evidence: Mapping[str, Any]) -> Certificate:
-    content: Certificate = {"claim": evidence["kind"]}
-    robot = evidence["robot_pieces"]
-    if evidence["kind"] == "disc":
-        content |= {"disc": evidence["disc"], "inside": evidence["inside"]}
-        robot = {"0": [evidence["disc"]]}
-    for claim in [*evidence["full"], *evidence["full_faces"]]:
-        if "joint" in claim:
-            _weigh_whole_edges(claim["joint"], robot, evidence["obstacle_pieces"])
-    return content | {
-        "domain": _domain(evidence["domain"]),
-        "start_side": evidence["start_side"],
-        "full": evidence["full"],
-        "full_faces": evidence["full_faces"],
+def _disc(evidence: NamedEvidence, obstacles: Pieces) -> Certificate:
+    disc = evidence.disc
+    return {
+        keys.CLAIM: keys.DISC_CLAIM,
+        keys.DISC: disc,
+        keys.INSIDE: evidence.disc_holder,
+    } | _separation(evidence, {"0": [disc]}, obstacles)
+
+
+def _separation(evidence: NamedEvidence, robot: Pieces, obstacles: Pieces) -> Certificate:
+    return {
+        keys.DOMAIN: _domain(evidence.domain),
+        keys.START_SIDE: evidence.start_side,
+        keys.FULL: [_claim(claim, robot, obstacles) for claim in evidence.full],
+        keys.FULL_FACES: [_claim(claim, robot, obstacles) for claim in evidence.full_faces],
     }
 
 
-def _domain(frame: Mapping[str, Any]) -> Certificate:
+def _domain(domain: NamedDomain) -> Certificate:
     """Express the core's domain, exact doubles in a frame of its own, in the user's unit."""
-    unit = Fraction(2) ** -frame["exponent"]
+    unit = Fraction(2) ** -domain.exponent
     return {
-        "low": [
+        keys.LOW: [
             _dyadic(Fraction(origin) + Fraction(low) * unit)
-            for origin, low in zip(frame["origin"], frame["low"], strict=True)
+            for origin, low in zip(domain.origin, domain.low, strict=True)
         ],
-        "size": [_dyadic(Fraction(size) * unit) for size in frame["size"]],
+        keys.SIZE: [_dyadic(Fraction(size) * unit) for size in domain.size],
     }
 
 
 def _dyadic(value: Fraction) -> list[int]:
-    """Return (m, e) with value = m 2^e."""
+    """Return [m, e] with value = m 2^e."""
     return [value.numerator, 1 - value.denominator.bit_length()]
 
 
-def _weigh_whole_edges(
-    joint: Mapping[str, Any], robot: Mapping[str, Any], obstacles: Mapping[str, Any]
-) -> None:
-    """Turn weights of unit normals, the core's, into weights of whole edges, the largest 1."""
-    for terms in joint["sums"]:
-        for term in terms:
-            if "wall" in term:
-                continue
-            p, i, q, j = term["pair"]
-            piece = obstacles[str(q)][j] if term["owner"] == "obstacle" else robot[str(p)][i]
-            edge = term["edge"]
-            term["weight"] /= math.dist(piece[edge], piece[(edge + 1) % len(piece)])
-        heaviest = max(term["weight"] for term in terms)
-        for term in terms:
-            term["weight"] /= heaviest
+def _claim(claim: NamedClaim, robot: Pieces, obstacles: Pieces) -> Certificate:
+    joint = claim.joint
+    content = {} if joint is not None else _collision(claim.collision)
+    content[keys.BOX] = claim.box
+    if claim.axis is not None:
+        content[keys.AXIS] = claim.axis
+    if joint is not None:
+        content[keys.JOINT] = _joint(joint, robot, obstacles)
+    return content
+
+
+def _collision(collision: NamedCollision) -> Certificate:
+    if collision.wall is not None:
+        return {keys.WALL: keys.WALLS[collision.wall]}
+    return {keys.PAIR: collision.pair}
+
+
+def _joint(joint: NamedJoint, robot: Pieces, obstacles: Pieces) -> Certificate:
+    axes = [
+        {keys.PAIR: each.pair, keys.EDGES: [[_owner(edge), edge.edge] for edge in each.edges]}
+        for each in joint.pairs
+    ]
+    return {keys.AXES: axes, keys.SUMS: [_sum(terms, robot, obstacles) for terms in joint.sums]}
+
+
+def _sum(terms: Sequence[NamedTerm], robot: Pieces, obstacles: Pieces) -> list[Certificate]:
+    """Return the terms with weights that refer to whole edges, the largest of them 1."""
+    weights = [_whole_edge_weight(term, robot, obstacles) for term in terms]
+    heaviest = max(weights)
+    return [_term(term, weight / heaviest) for term, weight in zip(terms, weights, strict=True)]
+
+
+def _whole_edge_weight(term: NamedTerm, robot: Pieces, obstacles: Pieces) -> float:
+    """Turn the core's weight, of a unit normal, into that of a normal as long as the edge."""
+    pair = term.of.pair
+    if pair is None:
+        return term.weight  # a wall's normal is a unit
+    p, i, q, j = pair
+    piece = obstacles[str(q)][j] if term.edge.of_obstacle else robot[str(p)][i]
+    edge = term.edge.edge
+    return term.weight / math.dist(piece[edge], piece[(edge + 1) % len(piece)])
+
+
+def _term(term: NamedTerm, weight: float) -> Certificate:
+    content = _collision(term.of)
+    if term.of.pair is None:
+        return content | {keys.VERTEX: term.wall_vertex, keys.WEIGHT: weight}
+    return content | {
+        keys.OWNER: _owner(term.edge),
+        keys.EDGE: term.edge.edge,
+        keys.VERTEX: term.vertex,
+        keys.WEIGHT: weight,
+    }

@@ -7,7 +7,7 @@ from typing import Any
 
 from planar_planner._core import Core
 from planar_planner.planning.options import Options
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem
 
 Listener = Callable[[dict[str, Any]], bool]
@@ -47,7 +47,7 @@ def ask(
     return core.solve(
         problem.start,
         (goal.polygons.arrays, goal.angles if problem.rotation else None)
-        if isinstance(goal, GoalRegion)
+        if isinstance(goal, GoalSet)
         else goal,
         limits.resolution,
         limits.max_cells,

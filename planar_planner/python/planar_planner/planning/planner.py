@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import os
 import threading
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any
+from functools import partial
 
 import numpy as np
 
@@ -14,20 +13,18 @@ from planar_planner._core import Core
 from planar_planner.errors import SceneError
 from planar_planner.explain.cells import Cells, make_cells
 from planar_planner.explain.thinnest_place import Bottleneck, make_bottleneck
-from planar_planner.explain.wall import wall_of
-from planar_planner.load import load_scene
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.planning.certificate import make_certificate
 from planar_planner.planning.engine import Listener, ask, make_core
 from planar_planner.planning.options import Options
 from planar_planner.planning.placement import check_placements
 from planar_planner.planning.result import Result, Undecided, make_result
-from planar_planner.problem.goal import GoalRegion
 from planar_planner.problem.make import Problem, make_problem, with_query
+from planar_planner.scene.geometry import Numbers
+from planar_planner.scene.goal_forms import GoalLike
 from planar_planner.scene.model import Scene
 
 _SHORT_CUTS = ("cheap", "probe")  # parts that answer before there is a cell (native/ablation.hpp)
-
-SceneLike = Scene | str | os.PathLike[str] | Mapping[str, Any]
 
 
 def solve(
@@ -66,6 +63,8 @@ def solve(
 class Planner:
     """A scene with its subdivision: each query starts from the cells of those before.
 
+    Pickled, copied or sent to another process, it is made anew from its scene: without cells.
+
     Parameters
     ----------
     scene : Scene, str, path or mapping
@@ -82,17 +81,21 @@ class Planner:
     """
 
     def __init__(self, scene: SceneLike, *, cells_only: bool = False) -> None:
-        self.scene = scene if isinstance(scene, Scene) else load_scene(scene)
+        self.scene = load_scene(scene)
         self.problem = make_problem(self.scene)
         self._without = _SHORT_CUTS if cells_only else ()
         self._core: Core | None = make_core(self.problem, self._without)
         self._asked = self.problem  # with the ends of the last query
         self._busy = threading.Lock()
 
+    def __reduce__(self) -> tuple[Callable[..., Planner], tuple[Scene]]:
+        """Reduce it to its scene: cells belong to the core, which stays where it is."""
+        return partial(Planner, cells_only=bool(self._without)), (self.scene,)
+
     def solve(
         self,
-        start: Sequence[float] | None = None,
-        goal: Sequence[float] | Mapping[str, Any] | str | GoalRegion | None = None,
+        start: Numbers | None = None,
+        goal: GoalLike | None = None,
         options: Options | None = None,
         *,
         listener: Listener | None = None,
@@ -104,8 +107,8 @@ class Planner:
         ----------
         start : (x, y, theta), optional
             Configuration instead of the scene's own; theta in radians.
-        goal : (x, y, theta), mapping or "escape", optional
-            Goal instead of the scene's own, in any form that a scene file may use.
+        goal : (x, y, theta), GoalRegion, Escape, mapping or "escape", optional
+            Goal instead of the scene's own; a mapping as in scene files.
         options, listener, certificate : optional
             As for `planar_planner.solve`.
 
@@ -162,8 +165,9 @@ class Planner:
     def wall(self) -> Cells | None:
         """Return the FULL cells and faces that separate the last query's start from its goal.
 
-        As few of them as possible; a face is a cell without extent along its normal. None if the
-        last query was not answered so, by cells or by a disc in the robot's place.
+        As few of them as possible; a face is a cell without extent along its normal. Those of a
+        disc in the place of a robot that may turn hold for every angle. None if the last query was
+        not answered by a separation, of the robot or of such a disc.
 
         Raises
         ------
@@ -173,8 +177,8 @@ class Planner:
         with self._idle():
             if self._core is None:
                 return None
-            certificate = make_certificate(self._asked, self._core.evidence(), 0.0)
-            return wall_of(self._asked, certificate or {})
+            table = self._core.wall(self._asked.start[2])
+            return None if table is None else make_cells(table)
 
     @contextmanager
     def _idle(self) -> Iterator[None]:

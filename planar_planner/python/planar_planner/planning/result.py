@@ -5,18 +5,24 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NoReturn, cast
 
 import numpy as np
 from numpy.typing import NDArray
+
+from planar_planner.frozen_arrays import FrozenArrays, freeze
+from planar_planner.planning.result_text import result_html, result_line
 
 FORMAT = "planar-planner/result"
 VERSION = 1
 
 
-@dataclass(frozen=True, eq=False)
-class _Answer:
+@dataclass(frozen=True, eq=False, repr=False)
+class _Answer(FrozenArrays):
     """What the three verdicts share.
+
+    Two results are equal if verdict, scene, reason and path are, every number exactly; counts,
+    times and certificates are not compared. A result has no truth value.
 
     Attributes
     ----------
@@ -40,6 +46,42 @@ class _Answer:
     path: NDArray[np.float64]
     stats: Mapping[str, Any]
     certificate: dict[str, Any] | None = None
+
+    @property
+    def path_length(self) -> float:
+        """Length of the way of the reference point, in the scene's unit; 0 without a path."""
+        return float(np.hypot(*np.diff(self.path[:, :2], axis=0).T).sum())
+
+    @property
+    def least_clearance(self) -> float:
+        """Lower bound, certified, on the robot's distance from everything along the path.
+
+        In the scene's unit; infinite if there is nothing to touch, 0 without a path.
+        """
+        return float(self.stats.get("least_clearance", 0.0))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, _Answer):
+            return NotImplemented
+        same = (self.verdict, self.scene, self.reason) == (other.verdict, other.scene, other.reason)
+        return same and np.array_equal(self.path, other.path)
+
+    def __hash__(self) -> int:
+        return hash((self.verdict, self.scene, self.reason, len(self.path)))
+
+    def __bool__(self) -> NoReturn:
+        """Refuse: every result would be true, proofs of absence too."""
+        raise TypeError(
+            "a result is neither true nor false; compare result.verdict with 'path', 'no_path' or "
+            "'undecided'"
+        )
+
+    def __repr__(self) -> str:
+        return result_line(cast("Result", self))
+
+    def _repr_html_(self) -> str:
+        """Return a table for notebooks."""
+        return result_html(cast("Result", self))
 
     def to_json(self) -> dict[str, Any]:
         """Return the result as a JSON object: plain, finite values only, others as null."""
@@ -84,9 +126,10 @@ def make_result(
 ) -> Result:
     """Build the result from the core's answer."""
     path = np.array(answer["path"], dtype=np.float64).reshape(-1, 3)
-    path.setflags(write=False)
     kind = _VERDICTS[answer["verdict"]]
-    return kind(scene, str(answer["reason"]), path, dict(answer["stats"]), certificate)
+    result = kind(scene, str(answer["reason"]), path, dict(answer["stats"]), certificate)
+    freeze(result)
+    return result
 
 
 def _plain(value: Any) -> Any:

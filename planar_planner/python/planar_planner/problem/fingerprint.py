@@ -7,7 +7,7 @@ import hashlib
 import numpy as np
 from numpy.typing import ArrayLike
 
-from planar_planner.problem.goal import GoalRegion
+from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem
 
 
@@ -37,7 +37,7 @@ def fingerprint(problem: Problem) -> str:
     add("rotation", [problem.rotation])
     add("start", problem.start)
     goal = problem.goal
-    if isinstance(goal, GoalRegion):
+    if isinstance(goal, GoalSet):
         add("goal points", goal.polygons.coords)
         add("goal rings", goal.polygons.ring_starts)
         add("goal polygons", goal.polygons.polygon_starts)

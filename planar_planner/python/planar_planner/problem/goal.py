@@ -26,7 +26,7 @@ FORMS = '[x, y, theta], {"region": Polygon, "theta": [lo, hi]}, {"escape": Polyg
 
 
 @dataclass(frozen=True, eq=False)
-class GoalRegion:
+class GoalSet:
     """Every configuration with the reference point in some polygons and theta in an interval.
 
     Attributes
@@ -46,7 +46,7 @@ class GoalRegion:
     left: Polygons | None = None
 
 
-Goal = Configuration | GoalRegion
+Goal = Configuration | GoalSet
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +66,7 @@ def is_region(value: object) -> bool:
     return isinstance(value, (Mapping, str))
 
 
-def read_region(value: object, around: Surroundings) -> GoalRegion:
+def read_region(value: object, around: Surroundings) -> GoalSet:
     """Return the set of configurations that a raw goal describes.
 
     Parameters
@@ -89,7 +89,7 @@ def read_region(value: object, around: Surroundings) -> GoalRegion:
     if "region" in value:
         fields.only_known(value, ["region", "theta"], "goal")
         polygons = _polygons("goal.region", value["region"], around.judge)
-        return GoalRegion(polygons, _angles(value.get("theta", "any")))
+        return GoalSet(polygons, _angles(value.get("theta", "any")))
     fields.only_known(value, ["escape"], "goal")
     left = _polygons("goal.escape", value["escape"], around.judge)
     if len(left) != 1 or len(left.ring_starts) != 2:
@@ -131,7 +131,7 @@ def _reach(robot: Polygons) -> float:
     return math.nextafter(math.nextafter(farthest, math.inf), math.inf)  # hypot is off by one
 
 
-def _outside_all_obstacles(around: Surroundings) -> GoalRegion:
+def _outside_all_obstacles(around: Surroundings) -> GoalSet:
     """Return the outside of the obstacles' bounding box, grown by the robot's reach.
 
     With its reference point there the robot is clear of the box, whatever its theta.
@@ -160,7 +160,7 @@ def _outside_all_obstacles(around: Surroundings) -> GoalRegion:
     return _outside(_rectangle(box), around)
 
 
-def _outside(left: Polygons, around: Surroundings) -> GoalRegion:
+def _outside(left: Polygons, around: Surroundings) -> GoalSet:
     """Return the closed plane outside a polygon, up to a frame.
 
     A reference point in bounds is within the robot's reach of the workspace or in the reference
@@ -174,7 +174,7 @@ def _outside(left: Polygons, around: Surroundings) -> GoalRegion:
     (xmin, ymin), (xmax, ymax) = (low - margin).tolist(), (high + margin).tolist()
     frame = _rectangle((xmin, ymin, xmax, ymax)).coords
     coords = np.concatenate([frame, left.coords])
-    return GoalRegion(Polygons(coords, _starts(0, 4, len(coords)), _starts(0, 2)), None, left)
+    return GoalSet(Polygons(coords, _starts(0, 4, len(coords)), _starts(0, 2)), None, left)
 
 
 def _bounding_boxes(around: Surroundings) -> Iterable[Box]:

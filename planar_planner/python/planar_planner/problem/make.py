@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from planar_planner.errors import SceneError, shown
 from planar_planner.problem.goal import (
     Goal,
-    GoalRegion,
+    GoalSet,
     Surroundings,
     allows_angle,
     is_region,
@@ -29,9 +29,10 @@ from planar_planner.problem.polygons import Polygons
 from planar_planner.problem.rings import Judge, clean_polygons, judged_exactly
 from planar_planner.scene import fields
 from planar_planner.scene.fields import Box, Configuration
+from planar_planner.scene.goal_forms import goal_json
 from planar_planner.scene.input_limits import MAX_ROBOT_VERTICES
-from planar_planner.scene.json_file import plain_json
 from planar_planner.scene.model import Scene
+from planar_planner.scene.plain import plain
 from planar_planner.scene.raw_polygons import read_polygons
 
 __all__ = ["Polygons", "Problem", "at_end_of", "ends", "make_problem", "point_goal", "with_query"]
@@ -63,7 +64,7 @@ class Problem:
         Whether the robot may turn. If not, start and goal have the same theta.
     start : (x, y, theta)
         Configuration of the robot's frame in the world.
-    goal : (x, y, theta) or GoalRegion
+    goal : (x, y, theta) or GoalSet
         A configuration, or a set of them.
     """
 
@@ -154,16 +155,17 @@ def with_query(problem: Problem, start: Any = None, goal: Any = None) -> Problem
     if start is None and goal is None:
         return problem
     try:
-        new_start = problem.start if start is None else _given(start, "start")
+        new_start = problem.start
+        if start is not None:
+            new_start = fields.configuration(plain(start, "start"), "start")
         new_goal: Goal = problem.goal
-        if isinstance(goal, GoalRegion):
+        if isinstance(goal, GoalSet):
             new_goal = goal
-        elif is_region(goal):
-            new_goal = read_region(
-                fields.mapping(plain_json({"goal": goal}), "")["goal"], _surroundings(problem)
-            )
         elif goal is not None:
-            new_goal = _given(goal, "goal")
+            raw = goal_json(goal)
+            region = is_region(raw)
+            around = _surroundings(problem)
+            new_goal = read_region(raw, around) if region else fields.configuration(raw, "goal")
         new_goal = _reachable_goal(problem.rotation, new_start, new_goal)
     except SceneError as error:
         raise error.in_source(problem.source) from None
@@ -172,7 +174,7 @@ def with_query(problem: Problem, start: Any = None, goal: Any = None) -> Problem
 
 def ends(problem: Problem) -> dict[str, Configuration]:
     """Return the start, and the goal if it is a configuration, by name."""
-    if isinstance(problem.goal, GoalRegion):
+    if isinstance(problem.goal, GoalSet):
         return {"start": problem.start}
     return {"start": problem.start, "goal": problem.goal}
 
@@ -185,7 +187,7 @@ def point_goal(problem: Problem, user: str) -> Configuration:
     SceneError
         If the goal is a region.
     """
-    if isinstance(problem.goal, GoalRegion):
+    if isinstance(problem.goal, GoalSet):
         raise SceneError(
             f"is a region; {user} needs a configuration [x, y, theta]", "goal", "", problem.source
         )
@@ -194,7 +196,7 @@ def point_goal(problem: Problem, user: str) -> Configuration:
 
 def at_end_of(problem: Problem, path: Any) -> Problem:
     """Return the problem with the end of a path as its goal, if its goal is a region."""
-    return with_query(problem, goal=path[-1]) if isinstance(problem.goal, GoalRegion) else problem
+    return with_query(problem, goal=path[-1]) if isinstance(problem.goal, GoalSet) else problem
 
 
 def _surroundings(problem: Problem) -> Surroundings:
@@ -206,14 +208,6 @@ def _surroundings(problem: Problem) -> Surroundings:
         problem.reference_bounds,
         judged_exactly,
     )
-
-
-def _given(value: Any, field: str) -> Configuration:
-    """Check a configuration that a caller passed as any sequence, numpy arrays included."""
-    plain = value.tolist() if hasattr(value, "tolist") else value
-    if isinstance(plain, (list, tuple)):
-        plain = [item.tolist() if hasattr(item, "tolist") else item for item in plain]
-    return fields.configuration(plain, field)
 
 
 def _workspace(value: Any, judge: Judge) -> tuple[Box | None, Polygons | None]:
@@ -235,8 +229,8 @@ def _workspace(value: Any, judge: Judge) -> tuple[Box | None, Polygons | None]:
 
 
 def _reference_bounds(scene: Scene) -> Box | None:
-    if scene.reference_bounds is not None:
-        return fields.box(scene.reference_bounds, "reference_bounds")
+    if scene.bounds is not None:
+        return fields.box(scene.bounds, "reference_bounds")
     if scene.workspace is None:
         raise SceneError("a scene needs a workspace, reference_bounds or both", "workspace")
     return None
@@ -268,7 +262,7 @@ def _reachable_goal(rotation: bool, start: Configuration, goal: Goal) -> Goal:
     if rotation:
         return goal
     unit = 2 * sys.float_info.epsilon
-    if isinstance(goal, GoalRegion):
+    if isinstance(goal, GoalSet):
         largest = max(map(abs, (start[2], *(goal.angles or ()))))
         if not allows_angle(goal.angles, start[2], unit * largest):
             raise SceneError(

@@ -7,9 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from planar_planner.frozen_arrays import FrozenArrays, freeze
+
 
 @dataclass(frozen=True, eq=False)
-class Polygons:
+class Polygons(FrozenArrays):
     """Valid polygons as flat, read-only, contiguous arrays; the form the core takes.
 
     Attributes
@@ -27,8 +29,7 @@ class Polygons:
     polygon_starts: NDArray[np.uint32]
 
     def __post_init__(self) -> None:
-        for array in self.arrays:
-            array.setflags(write=False)
+        freeze(self)
 
     @property
     def arrays(self) -> tuple[NDArray[np.float64], NDArray[np.uint32], NDArray[np.uint32]]:

@@ -1,74 +1,119 @@
-"""The raw scene, as its file states it.
+"""The raw scene: what is asked, in GeoJSON and plain numbers, with nothing of it judged.
 
-A `Scene` has the right fields and nothing else is known of it; `planar_planner.problem` turns it
-into a valid problem. Format: ``scene.schema.json`` beside this file.
+`planar_planner.problem` turns it into a valid problem. As a file: ``scene.schema.json`` beside
+this module, read by `planar_planner.scene.json_form`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
-from planar_planner.errors import SceneError, shown
+from planar_planner.errors import SceneError, cut, shown
 from planar_planner.scene import fields
+from planar_planner.scene.geometry import Geometry, Numbers, body, geometries, workspace
+from planar_planner.scene.goal_forms import GoalLike, goal_json
+from planar_planner.scene.plain import plain
 
 FORMAT = "planar-planner/scene"
-
-
 VERSION = 1
 
 
-_REQUIRED = ("format", "version", "robot", "obstacles", "start", "goal")
-
-
-_OPTIONAL = ("name", "description", "workspace", "reference_bounds", "rotation")
-
-
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, init=False, repr=False)
 class Scene:
-    """A scene as in the file; fields without a type are unchecked JSON values.
+    """A robot among obstacles, and from where to where it is to go.
+
+    Geometry is taken as shapely objects, as GeoJSON mappings, or as arrays of vertices, shape
+    (n, 2), and kept as GeoJSON. Lengths are in any one unit, angles in radians, anticlockwise. Two
+    scenes are equal if all but `source`, `notes` and `holds_for` is.
 
     Attributes
     ----------
-    name, description : str
-        For people; the name also stands in results.
-    workspace : Any
-        ``{"box": [xmin, ymin, xmax, ymax]}`` or a GeoJSON Polygon, world frame; None if absent.
-    reference_bounds : Any
-        ``[xmin, ymin, xmax, ymax]`` for the robot's reference point; None if absent.
     robot : Any
-        GeoJSON Polygon or MultiPolygon in the robot's frame.
+        GeoJSON of the robot, in its own frame, whose origin is the reference point. A sequence of
+        geometries is a robot of several parts.
     obstacles : Any
-        List of GeoJSON geometries, world frame.
+        List of GeoJSON geometries, world frame. A MultiPolygon or a collection that is given as
+        the obstacles counts each of its parts as one.
     start : Any
-        ``[x, y, theta]``, theta in radians.
+        ``[x, y, theta]`` of the robot's frame in the world.
     goal : Any
-        The same, or a set of configurations: ``{"region": Polygon, "theta": [lo, hi]}``,
-        ``{"escape": Polygon}`` or ``"escape"``.
+        The same, or a set of configurations: a `GoalRegion`, an `Escape` or ``"escape"`` (from the
+        box of all obstacles), kept in the form of scene files (docs/scene-file.md).
+    workspace : Any
+        The whole robot stays inside: ``(xmin, ymin, xmax, ymax)``, kept as ``{"box": […]}``, or one
+        polygon. None if absent; then there are `bounds`.
+    bounds : Any
+        ``[xmin, ymin, xmax, ymax]`` for the reference point alone; None if absent. Scene files and
+        messages call it ``reference_bounds``.
     rotation : Any
         False forbids turning; start and goal then have the same theta.
+    name, description : str
+        For people; the name also stands in results.
     source : str
-        Where the scene came from, for messages.
+        Where the scene came from, for messages; its name if it came from nowhere.
     notes : tuple of str
         What an importer did to the geometry of a file in an outside format.
     holds_for : str
         The verdict that carries over to the curves of such a file, ``path`` or ``no_path``; empty
         if both do.
+
+    Raises
+    ------
+    SceneError
+        If a value is of the wrong form, with its field and place. Numbers and shapes are checked
+        when the scene is planned on.
     """
 
-    name: str
-    description: str
-    workspace: Any
-    reference_bounds: Any
     robot: Any
     obstacles: Any
     start: Any
     goal: Any
+    workspace: Any
+    bounds: Any
     rotation: Any
-    source: str
-    notes: tuple[str, ...] = ()
-    holds_for: str = ""
+    name: str
+    description: str
+    source: str = field(compare=False)
+    notes: tuple[str, ...] = field(compare=False)
+    holds_for: str = field(compare=False)
+
+    def __init__(
+        self,
+        *,
+        robot: Geometry | Sequence[Geometry],
+        obstacles: Geometry | Sequence[Geometry] = (),
+        start: Numbers,
+        goal: GoalLike,
+        workspace: Geometry | Numbers | None = None,
+        bounds: Numbers | None = None,
+        rotation: bool = True,
+        name: str = "scene",
+        description: str = "",
+        source: str = "",
+        notes: tuple[str, ...] = (),
+        holds_for: str = "",
+    ) -> None:
+        given: dict[str, Any] = {"robot": robot, "obstacles": obstacles}
+        given |= {"start": start, "goal": goal, "rotation": rotation}
+        given |= {"workspace": workspace, "bounds": bounds}
+        try:
+            values = {key: _FORMS[key](value) for key, value in given.items()}
+            values["name"] = fields.text(name, "name")
+            values["description"] = fields.text(description, "description")
+        except SceneError as error:
+            raise error.in_source(source or cut(str(name))) from None
+        values["source"] = source or cut(name)
+        _fill(self, values | {"notes": tuple(notes), "holds_for": holds_for})
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.description))
+
+    def __repr__(self) -> str:
+        number = len(self.obstacles) if isinstance(self.obstacles, list) else 0
+        ends = f"start={shown(self.start)}, goal={shown(self.goal)}"
+        return f"Scene(name={shown(self.name)}, {number} obstacle{'s'[number == 1 :]}, {ends})"
 
     def to_dict(self) -> dict[str, Any]:
         """Return the scene as a JSON object that `load_scene` reads back."""
@@ -77,8 +122,8 @@ class Scene:
             content["description"] = self.description
         if self.workspace is not None:
             content["workspace"] = self.workspace
-        if self.reference_bounds is not None:
-            content["reference_bounds"] = self.reference_bounds
+        if self.bounds is not None:
+            content["reference_bounds"] = self.bounds
         content["robot"] = self.robot
         content["obstacles"] = self.obstacles
         content["start"] = self.start
@@ -88,38 +133,31 @@ class Scene:
         return content
 
 
-def _checked(content: object, source: str, default_name: str) -> Scene:
-    """Check format, version and the names of the fields, the raw scene's only guarantees."""
-    try:
-        members = fields.mapping(content, "")
-        _check_header(members)
-        fields.only_known(members, _REQUIRED + _OPTIONAL, "")
-        fields.require(members, _REQUIRED)
-        return Scene(
-            name=fields.text(members.get("name", default_name), "name"),
-            description=fields.text(members.get("description", ""), "description"),
-            workspace=members.get("workspace"),
-            reference_bounds=members.get("reference_bounds"),
-            robot=members["robot"],
-            obstacles=members["obstacles"],
-            start=members["start"],
-            goal=members["goal"],
-            rotation=members.get("rotation", True),
-            source=source,
-        )
-    except SceneError as error:
-        raise error.in_source(source) from None
+_FORMS: Mapping[str, Any] = {
+    "robot": lambda value: body(value, "robot"),
+    "obstacles": lambda value: geometries(value, "obstacles"),
+    "start": lambda value: plain(value, "start"),
+    "goal": goal_json,
+    "workspace": lambda value: workspace(value, "workspace"),
+    "bounds": lambda value: plain(value, "reference_bounds"),
+    "rotation": lambda value: plain(value, "rotation"),
+}
+"""How each field is brought to the form of scene files."""
 
 
-def _check_header(content: Mapping[str, object]) -> None:
-    if "format" not in content:
-        raise SceneError(f"field is missing; a scene states {FORMAT!r}", "format")
-    if content["format"] != FORMAT:
-        raise SceneError(f"unknown format; expected {FORMAT!r}", "format", shown(content["format"]))
-    if "version" not in content:
-        raise SceneError(f"field is missing; this program reads version {VERSION}", "version")
-    version = content["version"]
-    if isinstance(version, bool) or version != VERSION:
-        raise SceneError(
-            f"unknown version; this program reads version {VERSION}", "version", shown(version)
-        )
+def scene_of_values(values: Mapping[str, Any]) -> Scene:
+    """Return a scene of all its fields, by name; they have the form of scene files and are kept."""
+    scene = object.__new__(Scene)
+    _fill(scene, values)
+    return scene
+
+
+def with_ends(scene: Scene, start: Any = None, goal: Any = None) -> Scene:
+    """Return the scene with another start, goal or both, as scene files have them."""
+    changed = {k: v for k, v in (("start", start), ("goal", goal)) if v is not None}
+    return scene_of_values(vars(scene) | changed) if changed else scene
+
+
+def _fill(scene: Scene, values: Mapping[str, Any]) -> None:
+    for name, value in values.items():
+        object.__setattr__(scene, name, value)

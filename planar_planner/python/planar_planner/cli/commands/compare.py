@@ -31,8 +31,8 @@ def add(commands: Any) -> None:
         "compare",
         "compare with OMPL's planners in one run; needs the extra [ompl]",
         examples=(
-            "compare slot --runs 3 --limit 2",
-            "compare corner slot --planners RRTConnect,PRM --runs 3 --limit 2 --plot times.svg",
+            "compare slot --runs 3 --timeout 2",
+            "compare corner slot --planners RRTConnect,PRM --runs 3 --timeout 2 --plot times.svg",
         ),
         status=DONE,
     )
@@ -50,7 +50,7 @@ def add(commands: Any) -> None:
     )
     for name, metavar, kind, default, what in (
         ("runs", "N", whole_number, 11, "runs of each planner"),
-        ("limit", "SECONDS", real_number, 10.0, "time of a run"),
+        ("timeout", "SECONDS", real_number, 10.0, "time of a run"),
         ("resolution", "FRACTION", real_number, 0.002, "of OMPL's motion validation"),
         ("seed", "N", whole_number, 0, "run i (from 0) of a planner has the seed N + i + 1"),
     ):
@@ -74,7 +74,7 @@ def run(arguments: argparse.Namespace) -> int:
     settings = Settings(
         planners=tuple(part.strip() for part in arguments.planners.split(",") if part.strip()),
         runs=arguments.runs,
-        limit=arguments.limit,
+        timeout=arguments.timeout,
         resolution=arguments.resolution,
         seed=arguments.seed,
     )

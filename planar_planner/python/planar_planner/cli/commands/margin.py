@@ -38,7 +38,7 @@ def add(commands: Any) -> None:
         "find out how far the robot can grow, or must shrink, and where it is narrowest",
         examples=(
             "margin slot",
-            "margin corner-too-long --within 1e-4 --plot bottleneck.png",
+            "margin corner-too-long --width 1e-4 --plot bottleneck.png",
             "margin corner --by scale --about centroid --json margin.json",
         ),
         status=_STATUS,
@@ -58,7 +58,7 @@ def add(commands: Any) -> None:
         help="the point that scaling leaves in place (default: reference)",
     )
     margin.add_argument(
-        "--within",
+        "--width",
         type=real_number,
         metavar="LENGTH",
         help="how wide the answer's bracket may be: a length in the scene's unit, or a factor "
@@ -86,7 +86,7 @@ def run(arguments: argparse.Namespace) -> int:
             options,
             by=arguments.by,
             about=arguments.about,
-            tolerance=arguments.within,
+            width=arguments.width,
             listener=progress,
         )
     if not output.to_stdout:

@@ -74,7 +74,7 @@ def facts(scene: Scene) -> dict[str, Any]:
         "description": scene.description,
         **size_json(scene_size(scene)),
         "workspace": scene.workspace,
-        "reference_bounds": scene.reference_bounds,
+        "reference_bounds": scene.bounds,
         "start": scene.start,
         "goal": scene.goal,
         "rotation": scene.rotation,
@@ -110,9 +110,9 @@ def description(scene: Scene, problem: Problem) -> str:
 
 
 def _goal_text(goal: Goal) -> str:
-    from planar_planner.problem.goal import GoalRegion  # takes numpy
+    from planar_planner.problem.goal import GoalSet  # takes numpy
 
-    if not isinstance(goal, GoalRegion):
+    if not isinstance(goal, GoalSet):
         return _text(goal)
     if goal.left is not None:
         return f"outside a polygon of {len(goal.left.coords)} vertices"

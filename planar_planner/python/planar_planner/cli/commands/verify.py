@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import argparse
+import dataclasses
 import sys
 import time
 from typing import Any
 
-from planar_planner.checker.form import CertificateError
 from planar_planner.cli.arguments.importing import add_importing, scene_of
-from planar_planner.cli.arguments.limits import add_contact_tolerance
-from planar_planner.cli.arguments.shared import add_command, add_json, add_scene
+from planar_planner.cli.arguments.shared import add_command, add_json, add_scene, real_number
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
 from planar_planner.cli.terminal import VERDICT_STYLES, styled
-from planar_planner.errors import one_line
+from planar_planner.errors import CertificateError, CertificateRejected, one_line
 from planar_planner.output_files import complain, emit
-from planar_planner.planning.options import Options
 
 _VERDICTS = {"path": "path", "no_path": "no path"}
 _STYLES = {"valid": VERDICT_STYLES["path"], "rejected": VERDICT_STYLES["no_path"]}
@@ -27,7 +25,7 @@ def add(commands: Any) -> None:
     verify = add_command(
         commands,
         "verify",
-        "check a certificate with independent, exact code",
+        "check a certificate in exact arithmetic, with code that the planner does not use",
         examples=(
             "solve gear-jammed --certificate jammed.json.gz",
             "verify gear-jammed jammed.json.gz",
@@ -35,20 +33,25 @@ def add(commands: Any) -> None:
         status="0 valid, 1 rejected, 2 unreadable, or bad input or usage",
     )
     add_scene(verify)
-    verify.add_argument("certificate", metavar="CERT", help="what solve --certificate has written")
+    verify.add_argument("certificate", metavar="CERT", help="a file that solve --certificate wrote")
     add_importing(verify)
     add_json(verify, "the finding")
-    add_contact_tolerance(verify, "the ends of a path may have been moved")
+    verify.add_argument(  # not that of the other commands, whose defaults are the planner's
+        "--contact-tolerance",
+        type=real_number,
+        metavar="LENGTH",
+        default=0.0,
+        help="how far the ends of a path may have been moved off contact (default: %(default)g)",
+    )
     verify.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Verify, then report: 0 valid, 1 rejected, 2 unreadable."""
-    tolerance = Options(contact_tolerance=arguments.contact_tolerance).contact_tolerance
     output = json_output(arguments.json)
     scene = scene_of(arguments, arguments.scene)
     with Progress(sys.stderr, "checking the certificate"):
-        status, finding = _finding(scene, arguments.certificate, tolerance)
+        status, finding = _finding(scene, arguments.certificate, arguments.contact_tolerance)
     if status == 2 and not output.to_stdout:
         complain(f"{arguments.certificate}: {finding['problem']}")
     elif not output.to_stdout:
@@ -59,21 +62,20 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _finding(scene: Any, certificate: str, tolerance: float) -> tuple[int, dict[str, Any]]:
     """Return the exit status, and the finding as JSON."""
-    from planar_planner.checker.case import Rejected
     from planar_planner.checker.verify import verify_certificate  # takes numpy
 
     began = time.monotonic()
     common = {"format": "planar-planner/verification", "version": 1, "scene": scene.name}
     try:
-        report = verify_certificate(scene, certificate, tolerance)._asdict()
-    except Rejected as found:
-        status, content = 1, {"claim": one_line(found.args[0]), "problem": one_line(found.args[1])}
+        proven = dataclasses.asdict(verify_certificate(scene, certificate, tolerance))
+    except CertificateRejected as found:
+        status, content = 1, {"claim": one_line(found.place), "problem": one_line(found.problem)}
     except CertificateError as found:
         status, content = 2, {"claim": "", "problem": one_line(str(found))}
     except MemoryError:
         status, content = 2, {"claim": "", "problem": "is too large for the memory"}
     else:
-        status, content = 0, report
+        status, content = 0, proven
     finding = ("valid", "rejected", "unreadable")[status]
     seconds = round(time.monotonic() - began, 3)
     return status, common | {"finding": finding} | content | {"seconds": seconds}

@@ -1,0 +1,1 @@
+"""Parts of ``bench/error_time.py``: families with their truths, sweeps, curves, fits, pictures."""

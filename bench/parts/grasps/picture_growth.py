@@ -1,0 +1,76 @@
+"""As Fig. 4 of [GFE]: the bracket and the root of the time against the iterations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from lib.provenance import RESULTS
+
+LOWER, UPPER, TIME = "#0072B2", "#D55E00", "#009E73"
+
+
+class Growth(NamedTuple):
+    """One run of the algorithm.
+
+    Attributes
+    ----------
+    title : str
+        Situation and set.
+    lower, upper : ndarray of shape (K + 1,)
+        d_k and the least h_A/h_Q seen, after k iterations.
+    facets : ndarray of shape (K + 1,)
+        Of the polytope.
+    counts, seconds : ndarray of shape (n,)
+        Least processor seconds of runs that stop after so many iterations.
+    exponent : float
+        Slope of log(time) against log(iterations) over the last three quarters of the counts.
+    """
+
+    title: str
+    lower: NDArray[np.float64]
+    upper: NDArray[np.float64]
+    facets: NDArray[np.float64]
+    counts: NDArray[np.float64]
+    seconds: NDArray[np.float64]
+    exponent: float
+
+
+def draw(runs: Sequence[Growth], name: str) -> Path:
+    """Draw a panel a run; the published figure has the same two curves."""
+    columns = (len(runs) + 1) // 2
+    figure = Figure(figsize=(3.7 * columns, 6.2), layout="constrained")
+    for k, run in enumerate(runs):
+        axes = figure.add_subplot(2, columns, k + 1)
+        axes.plot(run.upper, color=UPPER, linewidth=1, label="upper bound")
+        axes.plot(run.lower, color=LOWER, linewidth=1.5, label="$d_k$, lower bound")
+        top = 2 * float(run.lower[-1])
+        axes.set(ylim=(0, top), xlabel="iterations", title=run.title)
+        axes.spines["top"].set_visible(False)
+        other = axes.twinx()
+        other.plot(
+            run.counts, np.sqrt(1e3 * run.seconds), "o-", color=TIME, markersize=3, linewidth=1
+        )
+        other.set_ylim(bottom=0)
+        other.spines["top"].set_visible(False)
+        other.set_ylabel(r"$\sqrt{t / \mathrm{ms}}$", color=TIME)
+        axes.text(
+            0.97,
+            0.05,
+            f"time ~ iterations$^{{{run.exponent:.2f}}}$",
+            transform=axes.transAxes,
+            ha="right",
+            fontsize=8,
+            color=TIME,
+        )
+        if k == 0:
+            axes.legend(frameon=False, fontsize=8, loc="upper left", bbox_to_anchor=(0.2, 1.0))
+    RESULTS.mkdir(exist_ok=True)
+    file = RESULTS / name
+    figure.savefig(file, dpi=110, metadata={"Software": None})
+    return file

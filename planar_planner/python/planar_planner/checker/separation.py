@@ -1,0 +1,98 @@
+"""Claims that FULL boxes and faces separate start and goal (docs/certificate.md, "separation")."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from planar_planner import certificate_keys as keys
+from planar_planner.checker.arithmetic import TURNS_ERROR, bounding_box, turns_of
+from planar_planner.checker.case import WALL_NORMALS, Case, Pose
+from planar_planner.checker.collisions import check_full, is_negative_edge
+from planar_planner.checker.cover import check_cover
+from planar_planner.checker.demands import demand
+from planar_planner.checker.extents import THETA, Domain
+from planar_planner.checker.goal_area import GoalArea
+from planar_planner.checker.records import Box, Separation, Span
+
+Range = tuple[Fraction, Fraction]
+"""From the first to the second, along an axis of the domain: parts of its size, or turns."""
+Place = tuple[Range, Range, Range]
+"""Holds a configuration; without extent along an axis if it is known exactly there."""
+
+
+def check_separation(case: Case, separation: Separation) -> int:
+    """Check that FULL boxes and faces separate the start from the goal; return their number."""
+    only_theta = None if case.turning else case.start.theta
+    domain = Domain(separation.low, separation.size, only_theta)
+    check_domain(case, domain)
+    check_ends(case, domain, separation.start_side)
+    for name, claims in (
+        (keys.FULL, separation.full),
+        (keys.FULL_FACES, separation.full_faces),
+    ):
+        for i, claim in enumerate(claims):
+            place = f"{name}[{i}]"
+            check_full(case, place, claim.collision, domain.extent(place, claim.box, claim.axis))
+    check_cover(separation)
+    return len(separation.start_side) + len(separation.full) + len(separation.full_faces)
+
+
+def check_domain(case: Case, domain: Domain) -> None:
+    """Check step 1: at each side of the domain, and so beyond it, no configuration is free."""
+    for i, side in enumerate(WALL_NORMALS):
+        spans: list[Span] = [(0, 0), (0, 0), (0, 0)]
+        spans[i // 2] = (0, i % 2)
+        extent = domain.extent(keys.DOMAIN, (spans[0], spans[1], spans[2]), i // 2)
+        bound, wall = case.bounds.get(side), case.walls.get(side)
+        at_bound = bound is not None and all(bound.height(t) <= 0 for t in extent.corners)
+        in_wall = wall is not None and is_negative_edge(wall, case.outline, extent)
+        demand(at_bound or in_wall, keys.DOMAIN, "free configurations may lie beyond it")
+
+
+def check_ends(case: Case, domain: Domain, start_side: list[Box]) -> None:
+    """Check step 2: the start lies in a box of its side, the goal, or any of a region, in none."""
+    starts, goal, held = places_of(case.start, domain), case.goal, False
+    goals = [] if isinstance(goal, GoalArea) else places_of(goal, domain)
+    for i, box in enumerate(start_side):
+        place = f"{keys.START_SIDE}[{i}]"
+        extent, ranges = domain.extent(place, box), ranges_of(box)
+        if isinstance(goal, GoalArea):
+            met = goal.meets(bounding_box(extent.corners)) and goal.may_have_angle(*ranges[THETA])
+        else:
+            met = any(may_meet(end, ranges) for end in goals)
+        demand(not met, place, "may hold the goal")
+        held = held or any(surely_in(end, ranges) for end in starts)
+    demand(held, keys.START_SIDE, "does not hold the start")
+
+
+def places_of(pose: Pose, domain: Domain) -> list[Place]:
+    """Return three places of a configuration in parts of the domain, a turn apart.
+
+    No angle but 0 is on a box's boundary, so angles need not be exact.
+    """
+    (x, y), theta = pose
+    if domain.only_theta is not None:
+        theta = 0.0
+    u, v = Fraction(x - domain.low[0], domain.size[0]), Fraction(y - domain.low[1], domain.size[1])
+    turns, error = turns_of(theta) % 1, TURNS_ERROR if theta else Fraction()
+    return [((u, u), (v, v), (turns + n - error, turns + n + error)) for n in (-1, 0, 1)]
+
+
+def ranges_of(box: Box) -> Place:
+    """Return what a box spans along each axis."""
+    x, y, theta = ((Fraction(k, 1 << level), Fraction(k + 1, 1 << level)) for level, k in box)
+    return x, y, theta
+
+
+def surely_in(place: Place, box: Place) -> bool:
+    """Whether a box holds a place."""
+    return all(
+        first <= low and high <= last for (low, high), (first, last) in zip(place, box, strict=True)
+    )
+
+
+def may_meet(place: Place, box: Place) -> bool:
+    """Whether a box and a place have a point in common."""
+    return all(
+        first <= high and low <= last for (low, high), (first, last) in zip(place, box, strict=True)
+    )

@@ -1,0 +1,40 @@
+"""A result for people at a prompt: one line, or a small table in a notebook."""
+
+from __future__ import annotations
+
+import html
+from typing import TYPE_CHECKING
+
+from planar_planner.errors import cut, one_line, shown
+
+if TYPE_CHECKING:
+    from planar_planner.planning.result import Result
+
+_VERDICTS = {"path": "path found", "no_path": "no path: proven", "undecided": "undecided"}
+
+
+def result_line(result: Result) -> str:
+    """Return class, scene, figures and reason in one short line."""
+    figures = "".join(f"{name} {value}, " for name, value in _figures(result).items())
+    return f"<{type(result).__name__} {shown(result.scene)}: {figures}{one_line(result.reason)}>"
+
+
+def result_html(result: Result) -> str:
+    """Return a table of the same as HTML; names from files cannot end it or add to it."""
+    rows = {"scene": result.scene, "verdict": _VERDICTS[result.verdict], "by": result.reason}
+    lines = "".join(
+        f"<tr><th style='text-align:left'>{name}</th>"
+        f"<td style='text-align:left'>{html.escape(one_line(cut(value)))}</td></tr>"
+        for name, value in (rows | _figures(result)).items()
+    )
+    return f"<table>{lines}</table>"
+
+
+def _figures(result: Result) -> dict[str, str]:
+    if result.verdict != "path":
+        return {}
+    return {
+        "length": f"{result.path_length:.6g}",
+        "waypoints": str(len(result.path)),
+        "least clearance": f"{result.least_clearance:.3g}",
+    }

@@ -1,0 +1,1 @@
+"""Attacks on the answers, by themselves: stress, fuzzing, rounding, determinism."""
