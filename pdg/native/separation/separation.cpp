@@ -10,11 +10,6 @@ namespace pdg {
 
 namespace {
 
-// Half-extent of the translations along a fixed unit direction.
-double fixed_extent(const Motion& m, const Vec2 n) {
-  return std::abs(dot(n, m.g1)) + std::abs(dot(n, m.g2));
-}
-
 double turning_extent_of(const Motion& m, const Vec2 n, const Vec2 g) {
   const double v = std::abs(dot(n, g));
   const double w = std::abs(cross(n, g));
@@ -22,7 +17,7 @@ double turning_extent_of(const Motion& m, const Vec2 n, const Vec2 g) {
   return v * m.cos_half + w * m.sin_half;
 }
 
-// The same along a direction that turns with the robot.
+// Half-extent of the translations along a unit direction that turns with the robot.
 double turning_extent(const Motion& m, const Vec2 n) {
   // The rectangle's extent along any direction is that of one of its diagonals.
   return std::max(turning_extent_of(m, n, m.g1 + m.g2), turning_extent_of(m, n, m.g1 - m.g2));
@@ -77,7 +72,7 @@ Range obstacle_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motio
   c.first = e.first;
   c.count = e.count;
   const double shift = dot(n, m.t) - edge.offset;
-  const double extent = fixed_extent(m, n);
+  const double extent = extent_along(m, n);
   const Range box{e.lo + shift - extent, e.hi + shift + extent, 0.5 * (e.hi - e.lo)};
   if (!coupled_turn(m)) return box;
   const double along = dot(n, m.g1);
@@ -116,7 +111,7 @@ double quick_high(const PosedPiece& a, const ConvexPiece& b, const Motion& m, co
   if (c.owner == EdgeOwner::kObstacle) {
     const Edge& edge = b.edges[c.edge];
     return dot(edge.normal, a.inner_centre + m.t) - edge.offset - a.piece->inner_radius +
-           a.piece->reach * m.half_angle + fixed_extent(m, edge.normal);
+           a.piece->reach * m.half_angle + extent_along(m, edge.normal);
   }
   const Vec2 n = a.normals[c.edge];
   const Vec2 u = b.inner_centre - m.t;

@@ -107,7 +107,7 @@ bool proves(const std::vector<Term>& terms, const Motion& m,
     total += weight;
     largest = std::max(largest, t.error);
   }
-  const double extent = std::abs(dot(sum.normal, m.g1)) + std::abs(dot(sum.normal, m.g2));
+  const double extent = extent_along(m, sum.normal);
   // |(R(delta) - 1) sum of M_k . e|: what cancels between the robot's edges stays cancelled.
   const double bend = pdg::norm(sum.turning) * unit_bend(m);
   const double bound = pdg::sinusoid_range(sum.v, sum.w, m).hi + sum.value + bend + extent;

@@ -48,11 +48,6 @@ struct Labeller::Pass {
 
 namespace {
 
-// Half-extents of the box that holds the translations.
-Vec2 box_extent(const Motion& m) {
-  return {std::abs(m.g1.x) + std::abs(m.g2.x), std::abs(m.g1.y) + std::abs(m.g2.y)};
-}
-
 // A pair stays closed while the motion radius exceeds a part of its circles' radii: such a cell is
 // hardly ever FULL and not worth the pair's functions yet. Smaller opens later: less work a cell,
 // weaker labels, more cells. Of many pieces one alone covers little, so their pairs open later,

@@ -22,10 +22,6 @@ double sine_defect(const Motion& m) {
   return m.sin_half - h * m.cos_half;
 }
 
-double extent_along(const Motion& m, const Vec2 n) {
-  return std::abs(dot(n, m.g1)) + std::abs(dot(n, m.g2));
-}
-
 template <class Visit>
 void for_each_vertex(const Constraint& c, const std::size_t ring, const Visit& visit) {
   for (std::size_t i = 0; i < c.count; ++i) {
