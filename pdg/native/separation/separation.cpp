@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lower_envelope.hpp"
+#include "tuning.hpp"
 
 namespace pdg {
 
@@ -119,9 +120,6 @@ double quick_high(const PosedPiece& a, const ConvexPiece& b, const Motion& m, co
   return std::max(v, v * m.cos_half) + std::abs(cross(u, n)) * m.sin_half -
          a.piece->edges[c.edge].offset - b.inner_radius + m.g1_length + m.g2_length;
 }
-
-// Below this many candidate vertices the full range costs no more than the quick bound.
-constexpr std::uint16_t kQuickVertices = 3;
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pdg/native/separation/separation.hpp"
+#include "planar_planner/native/tolerances.hpp"
 
 namespace planner {
 
@@ -130,7 +131,7 @@ bool collect(const ObstacleTree& tree, StarScratch& scratch, const Motion& motio
   for (const PairHeader& header : list.pairs) {
     const PosedPiece a = posed.piece(header.robot);
     const ConvexPiece& b = tree.piece(header.obstacle);
-    const double error = pdg::kGuardErrorFactor * pdg::separation_error(*a.piece, b, motion);
+    const double error = kGuardErrorFactor * pdg::separation_error(*a.piece, b, motion);
     for (std::size_t i = 0; i < header.count; ++i) {
       const Constraint& c = list.constraints[at + i];
       if (c.owner == EdgeOwner::kObstacle)
