@@ -14,7 +14,7 @@ FIRST, SECOND = (12.6, 4.6, 0.0), (4.6, 16.6, 1.57)  # x, y, theta
 
 for goal in (FIRST, SECOND):  # from the scene's own start
     result = planner.solve(goal=goal)
-    print(f"to {goal}: {result.verdict}, {result.stats['labelled_cells']} cells labelled")
+    print(f"to {goal}: {result.verdict}, {result.stats.labelled_cells} cells labelled")
 
 back = planner.solve(start=SECOND, goal=FIRST)
-print(f"and back: {back.verdict}, {back.stats['labelled_cells']} cells labelled")
+print(f"and back: {back.verdict}, {back.stats.labelled_cells} cells labelled")
