@@ -1,6 +1,7 @@
-// One run of one of OMPL's planners on a dumped problem (bench/parts/ompl/driver.py), with the core's
-// state check called directly: ompl_native FILE PLANNER SEED LIMIT RESOLUTION prints one JSON line.
-// Preparation and solve are timed apart, the clock running on from the first to the second.
+// One run of one of OMPL's planners on a dumped problem (bench/parts/ompl/driver.py), with the
+// core's state check called directly: ompl_native FILE PLANNER SEED LIMIT RESOLUTION prints one
+// JSON line. Preparation and solve are timed apart, the clock running on from the first to the
+// second.
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
