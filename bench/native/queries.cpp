@@ -81,7 +81,7 @@ bool obstructed_by_single(World& world, const pdg::Motion& motion, planner::Pose
 
 World::World(planner::Scene scene, const planner::Parts& parts, const double fixed_theta)
     : problem(planner::make_problem(std::move(scene), parts)),
-      tree(problem.scene.obstacles, problem.frame, problem.walls, parts.partition),
+      tree(all_obstacles(problem), problem.frame, problem.walls, parts.partition),
       labeller(problem.robot, tree, statistics, parts),
       posed(problem.robot),
       space{problem.domain, problem.rotation, fixed_theta} {}

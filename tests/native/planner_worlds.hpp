@@ -159,14 +159,13 @@ inline Real edge_distance(const RealRing& edges, const RealRing& points) {
 class Oracle {
  public:
   explicit Oracle(const planner::Problem& problem) : frame_(problem.frame) {
-    const auto add = [&](const planner::PolygonSet& set, const pdg::Frame& frame,
-                         std::vector<RealRing>& out) {
+    const auto add = [&](const auto& set, const pdg::Frame& frame, std::vector<RealRing>& out) {
       for (std::size_t i = 0; i < set.size(); ++i)
         for (const pdg::ConvexPolygon& piece : pdg::convex_partition(set.polygon(i)))
           out.push_back(framed(piece, frame));
     };
     add(problem.scene.robot, {{}, frame_.exponent}, robot_);
-    add(problem.scene.obstacles, frame_, obstacles_);
+    add(all_obstacles(problem), frame_, obstacles_);
     if (problem.scene.box) {
       low_ = framed(problem.scene.box->low, frame_);
       high_ = framed(problem.scene.box->high, frame_);
@@ -227,7 +226,7 @@ class Oracle {
 struct World {
   explicit World(planner::Scene scene, const double theta = 0.0)
       : problem(planner::make_problem(std::move(scene))),
-        tree(problem.scene.obstacles, problem.frame, problem.walls),
+        tree(all_obstacles(problem), problem.frame, problem.walls),
         labeller(problem.robot, tree, statistics),
         posed(problem.robot),
         oracle(problem),

@@ -119,9 +119,9 @@ std::vector<NamedClaim> claims_of(const planner::Problem& problem, const Evidenc
   return out;
 }
 
-NamedPolygon polygon_of(const planner::PolygonSet& set, const std::uint32_t p) {
+NamedPolygon named(const pdg::Polygon& polygon, const std::uint32_t p) {
   NamedPolygon out{p, {}};
-  for (const pdg::ConvexPolygon& piece : planner::planner_pieces(set.polygon(p))) {
+  for (const pdg::ConvexPolygon& piece : planner::planner_pieces(polygon)) {
     Vertices& vertices = out.pieces.emplace_back();
     for (const pdg::Vec2 v : piece) vertices.push_back(point(v));
   }
@@ -171,11 +171,11 @@ void add_end(const Evidence& e, NamedEvidence& out) {
 void add_pieces(const planner::Problem& robot, const planner::Problem& asked, const Evidence& e,
                 NamedEvidence& out) {
   for (std::uint32_t p = 0; p < robot.scene.robot.size(); ++p)
-    out.robot_pieces.push_back(polygon_of(robot.scene.robot, p));
+    out.robot_pieces.push_back(named(robot.scene.robot.polygon(p), p));
   for (const std::uint32_t p : e.polygons)
-    out.obstacle_pieces.push_back(polygon_of(asked.scene.obstacles, p));
+    out.obstacle_pieces.push_back(named(all_obstacles(asked).polygon(p), p));
   if (!asked.scene.workspace) return;
-  const planner::Rectangle r = asked.scene.obstacles.bounds(asked.user_obstacles);
+  const planner::Rectangle r = asked.outside.bounds(0);
   out.outside = {r.low.x, r.low.y, r.high.x, r.high.y};
 }
 

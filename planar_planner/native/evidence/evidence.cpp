@@ -15,8 +15,9 @@ void sort_unique(std::vector<std::uint32_t>& values) {
 void append_near_polygons(const Problem& problem, const Pose& from, const Pose& to,
                           std::vector<std::uint32_t>& out) {
   const SweptBox swept = swept_box(problem, from, to);
-  for (std::size_t i = 0; i < problem.scene.obstacles.size(); ++i) {
-    const Rectangle box = problem.scene.obstacles.bounds(i);
+  const Obstacles obstacles = all_obstacles(problem);
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    const Rectangle box = obstacles.bounds(i);
     const Vec2 low = to_planner(problem, box.low);
     const Vec2 high = to_planner(problem, box.high);
     const double margin = box_margin(problem, low, high);

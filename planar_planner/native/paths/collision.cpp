@@ -10,11 +10,11 @@ namespace planner {
 CollisionHint::CollisionHint(const Problem& problem, ObstacleTree& tree, const std::size_t small)
     : problem_(problem),
       tree_(tree),
-      small_(problem.scene.obstacles.points.size() <= small),
+      small_(all_obstacles(problem).points() <= small),
       vertices_(problem.robot.vertex_total),
       normals_(problem.robot.vertex_total),
       turned_at_(problem.robot.pieces.size()),
-      outlines_(small_ ? 0 : problem.scene.obstacles.size()) {}
+      edges_(small_ ? 0 : all_obstacles(problem).size()) {}
 
 double CollisionHint::gap(const Pose& pose) {
   ++calls_;
@@ -56,19 +56,19 @@ bool CollisionHint::hits_node(const std::uint32_t index) {
   const std::uint32_t piece = tree_.node(index).piece;
   if (piece != kNoPiece) return hits_piece(tree_.piece(piece));
   const auto polygon = tree_.whole_polygon(index);
-  return polygon && hits_outline(*polygon);
+  return polygon && hits_edges(*polygon);
 }
 
-bool CollisionHint::hits_outline(const std::uint32_t polygon) {
-  std::optional<Outline>& outline = outlines_[polygon];
-  if (!outline) outline.emplace(problem_.scene.obstacles, polygon, problem_.frame);
-  work_ += outline->runs();
-  if (outline->any_edge(low_, high_, [&](const Vec2 p, const Vec2 q) { return crosses(p, q); }))
+bool CollisionHint::hits_edges(const std::uint32_t polygon) {
+  std::optional<EdgeRuns>& edges = edges_[polygon];
+  if (!edges) edges.emplace(all_obstacles(problem_).polygon(polygon), problem_.frame);
+  work_ += edges->count();
+  if (edges->any_edge(low_, high_, [&](const Vec2 p, const Vec2 q) { return crosses(p, q); }))
     return true;
   // No edge in the robot: each of its pieces lies inside or outside as a whole.
   const auto inside = [&](const pdg::ConvexPiece& piece) {
-    work_ += outline->runs();
-    return outline->contains(t_ + pdg::rotate(rotation_, piece.inner_centre));
+    work_ += edges->count();
+    return edges->contains(t_ + pdg::rotate(rotation_, piece.inner_centre));
   };
   const auto& pieces = problem_.robot.pieces;
   return std::any_of(pieces.begin(), pieces.end() - 1, inside);

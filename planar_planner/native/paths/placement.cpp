@@ -93,7 +93,7 @@ Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
     out.depth = length_to_user(problem, std::max(deepest.depth, 0.0));
   out.robot_polygon = problem.robot.polygon_of_piece[deepest.robot];
   const std::uint32_t polygon = tree.polygon_of_piece(deepest.obstacle);
-  out.wall = polygon == kWall || polygon >= problem.user_obstacles;
+  out.wall = polygon == kWall || polygon >= problem.scene.obstacles.size();
   out.obstacle = out.wall ? -1 : static_cast<std::int64_t>(polygon);
   return out;
 }

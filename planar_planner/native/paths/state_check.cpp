@@ -68,7 +68,7 @@ StateCheck::StateCheck(const Problem& problem)
     };
     walls_ = Rectangle{{wall(0), wall(2)}, {-wall(1), -wall(3)}};
   }
-  ObstacleTree tree(problem.scene.obstacles, problem.frame, {});
+  ObstacleTree tree(all_obstacles(problem), problem.frame, {});
   if (!tree.empty()) flatten(tree, tree.root(), anywhere(domain_));
 }
 

@@ -39,9 +39,6 @@ inline constexpr int kLengths = 7;
 // clearance: the polygon in it is not decomposed for a better one. Chosen, not tuned.
 inline constexpr double kFarHull = 0.1;
 
-// Edges of an outline under one box. Chosen, not tuned.
-inline constexpr std::size_t kEdgesPerRun = 16;
-
 // Scenes with at most so many obstacle vertices are decomposed in less time than a first try takes.
 // From a comparison of the two; its figures were not kept.
 inline constexpr std::size_t kSmallScene = 300;

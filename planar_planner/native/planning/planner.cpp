@@ -58,7 +58,7 @@ StopReason touches(const bool at_start, const bool workspace) {
 Planner::Planner(Scene scene, const Parts& parts) {
   const Stopwatch watch(preprocessing_);
   problem_ = make_problem(std::move(scene), parts);
-  tree_ = std::make_unique<ObstacleTree>(problem_.scene.obstacles, problem_.frame, problem_.walls,
+  tree_ = std::make_unique<ObstacleTree>(all_obstacles(problem_), problem_.frame, problem_.walls,
                                          parts.partition);
   labeller_ = std::make_unique<Labeller>(problem_.robot, *tree_, statistics_, parts);
   segments_ = std::make_unique<SegmentTest>(problem_, *labeller_, statistics_);
@@ -150,7 +150,7 @@ bool Planner::probe(Query& query, CollisionHint& hint) {
       query.region == nullptr ? std::vector{query.goal}
                               : free_goals(*query.region, hint, problem_, query.start);
   if (goals.empty()) return false;
-  const std::size_t obstacles = problem_.scene.obstacles.size();
+  const std::size_t obstacles = all_obstacles(problem_).size();
   const RrtConnect::Budget budget{
       std::min(kProbeChecks + kProbeChecksPerObstacle * obstacles, kMostProbeChecks),
       std::min(kProbeWork + kProbeWorkPerObstacle * obstacles, kMostProbeWork) + hint.work()};

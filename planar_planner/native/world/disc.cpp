@@ -25,12 +25,6 @@ Scene with_robot(const Problem& problem, PolygonSet robot) {
   Scene scene = problem.scene;
   scene.robot = std::move(robot);
   scene.rotation = false;
-  if (scene.workspace) {  // make_problem appends the outside again
-    PolygonSet obstacles;
-    for (std::size_t i = 0; i < problem.user_obstacles; ++i)
-      obstacles.append(problem.scene.obstacles.polygon(i));
-    scene.obstacles = std::move(obstacles);
-  }
   return scene;
 }
 

@@ -16,13 +16,14 @@ Rectangle intersection(const Rectangle& a, const Rectangle& b) {
 
 // The plane between the workspace and a larger rectangle, and the workspace's holes, as obstacles.
 // The rectangle only has to reach beyond the bounds; the walls keep the robot inside them.
-void append_outside(Scene& scene, const Polygon& workspace, const Rectangle& bounds) {
+PolygonSet outside_of(const Polygon& workspace, const Rectangle& bounds) {
+  PolygonSet outside;
   const double margin = std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
   const Vec2 low{bounds.low.x - margin, bounds.low.y - margin};
   const Vec2 high{bounds.high.x + margin, bounds.high.y + margin};
-  scene.obstacles.append({{{low, {high.x, low.y}, high, {low.x, high.y}}, workspace.rings[0]}});
-  for (std::size_t r = 1; r < workspace.rings.size(); ++r)
-    scene.obstacles.append({{workspace.rings[r]}});
+  outside.append({{{low, {high.x, low.y}, high, {low.x, high.y}}, workspace.rings[0]}});
+  for (std::size_t r = 1; r < workspace.rings.size(); ++r) outside.append({{workspace.rings[r]}});
+  return outside;
 }
 
 pdg::Frame make_frame(const Rectangle& bounds) {
@@ -67,7 +68,6 @@ std::vector<pdg::ConvexPiece> make_walls(const Rectangle& box) {
 Problem make_problem(Scene scene, const Parts& parts) {
   Problem problem;
   problem.parts = parts;
-  problem.user_obstacles = scene.obstacles.size();
   problem.rotation = scene.rotation;
   problem.reference_bounds = scene.reference_bounds;
   std::optional<Rectangle> body = scene.box;
@@ -75,7 +75,7 @@ Problem make_problem(Scene scene, const Parts& parts) {
     PolygonSet outline;
     outline.append(*scene.workspace);
     body = outline.bounds(0);
-    append_outside(scene, *scene.workspace, *body);
+    problem.outside = outside_of(*scene.workspace, *body);
   }
   const Rectangle bounds = scene.reference_bounds.value_or(Rectangle{});
   problem.frame = make_frame(body.value_or(bounds));

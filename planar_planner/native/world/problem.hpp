@@ -20,8 +20,8 @@ struct Domain {
 };
 
 struct Problem {
-  Scene scene;                     // with a polygonal workspace's outside appended to the obstacles
-  std::size_t user_obstacles = 0;  // obstacles from here on bound the workspace
+  Scene scene;         // as given
+  PolygonSet outside;  // what lies outside a polygonal workspace, as obstacles (world frame)
   pdg::Frame frame;
   Robot robot;
   Domain domain;
@@ -32,6 +32,10 @@ struct Problem {
 };
 
 Problem make_problem(Scene scene, const Parts& parts = {});
+
+inline Obstacles all_obstacles(const Problem& problem) {
+  return {problem.scene.obstacles, problem.outside};
+}
 
 inline Vec2 to_planner(const Problem& problem, const Vec2 p) {
   return pdg::to_frame(problem.frame, p);

@@ -12,12 +12,15 @@ Polygon PolygonSet::polygon(const std::size_t index) const {
   return out;
 }
 
+std::span<const Vec2> PolygonSet::outer_ring(const std::size_t index) const {
+  const std::uint32_t outer = polygon_starts[index];
+  return std::span(points).subspan(ring_starts[outer], ring_starts[outer + 1] - ring_starts[outer]);
+}
+
 Rectangle PolygonSet::bounds(const std::size_t index) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Rectangle box{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
-  const std::uint32_t outer = polygon_starts[index];  // holes lie inside
-  for (std::uint32_t i = ring_starts[outer]; i < ring_starts[outer + 1]; ++i) {
-    const Vec2 p = points[i];
+  for (const Vec2 p : outer_ring(index)) {  // holes lie inside
     box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
     box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
   }

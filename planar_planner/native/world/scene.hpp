@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -29,7 +30,41 @@ struct PolygonSet {
   [[nodiscard]] std::size_t size() const { return polygon_starts.size() - 1; }
   [[nodiscard]] Polygon polygon(std::size_t index) const;
   [[nodiscard]] Rectangle bounds(std::size_t index) const;
+  [[nodiscard]] std::span<const Vec2> outer_ring(std::size_t index) const;
   void append(const Polygon& polygon);
+};
+
+// Obstacle polygons, numbered through: those that are given, then those that stand for what lies
+// outside a polygonal workspace. Both sets must outlive this.
+class Obstacles {
+ public:
+  Obstacles(const PolygonSet& given, const PolygonSet& outside)
+      : given_(&given), outside_(&outside) {}
+
+  [[nodiscard]] std::size_t size() const { return given_->size() + outside_->size(); }
+  [[nodiscard]] std::size_t points() const {
+    return given_->points.size() + outside_->points.size();
+  }
+  [[nodiscard]] Polygon polygon(const std::size_t index) const {
+    return set_of(index).polygon(place_of(index));
+  }
+  [[nodiscard]] Rectangle bounds(const std::size_t index) const {
+    return set_of(index).bounds(place_of(index));
+  }
+  [[nodiscard]] std::span<const Vec2> outer_ring(const std::size_t index) const {
+    return set_of(index).outer_ring(place_of(index));
+  }
+
+ private:
+  [[nodiscard]] const PolygonSet& set_of(const std::size_t index) const {
+    return index < given_->size() ? *given_ : *outside_;
+  }
+  [[nodiscard]] std::size_t place_of(const std::size_t index) const {
+    return index < given_->size() ? index : index - given_->size();
+  }
+
+  const PolygonSet* given_;
+  const PolygonSet* outside_;
 };
 
 struct Scene {

@@ -58,7 +58,7 @@ void compare_with_oracle(const std::size_t small) {
     }
     ASSERT_EQ(hint.calls(), 400U);
     if (small == 0) {
-      ASSERT_EQ(world.tree.untouched_polygons(), world.problem.scene.obstacles.size());
+      ASSERT_EQ(world.tree.untouched_polygons(), all_obstacles(world.problem).size());
     }
   }
   EXPECT_GT(free, 1000);

@@ -83,7 +83,7 @@ TEST(PlannerRidge, StepsGoToWhereTermsBalanceAndNoFarther) {
 
 // All axes of all pairs.
 std::vector<PairAxis> all_axes(const World& world, const RidgeClimb& climb) {
-  planner::ObstacleTree tree(world.problem.scene.obstacles, world.problem.frame,
+  planner::ObstacleTree tree(all_obstacles(world.problem), world.problem.frame,
                              world.problem.walls);
   planner::Statistics statistics;
   planner::Parts flat;

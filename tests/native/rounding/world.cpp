@@ -105,7 +105,7 @@ void shapes(Random& random, const Placing& placing, const bool adversarial, plan
 
 World::World(planner::Scene scene, const double theta)
     : problem(planner::make_problem(std::move(scene))),
-      tree(problem.scene.obstacles, problem.frame, problem.walls),
+      tree(all_obstacles(problem), problem.frame, problem.walls),
       labeller(problem.robot, tree, statistics),
       posed(problem.robot),
       space{problem.domain, problem.rotation, theta} {
@@ -119,9 +119,10 @@ World::World(planner::Scene scene, const double theta)
   }
   robot.push_back(exact::framed(own, hull_of(points)));
   reach = exact::reach(robot.back());
-  for (std::size_t i = 0; i < problem.scene.obstacles.size(); ++i) {
+  const planner::Obstacles all = all_obstacles(problem);
+  for (std::size_t i = 0; i < all.size(); ++i) {
     obstacles.emplace_back();
-    for (const ConvexPolygon& piece : planner::planner_pieces(problem.scene.obstacles.polygon(i)))
+    for (const ConvexPolygon& piece : planner::planner_pieces(all.polygon(i)))
       obstacles.back().push_back(exact::framed(problem.frame, piece));
   }
   if (!problem.scene.box) return;

@@ -10,10 +10,10 @@
 
 namespace planner {
 
-class Outline {
+class EdgeRuns {
  public:
-  // Polygon `index` of the set, mapped into the frame.
-  Outline(const PolygonSet& set, std::size_t index, const pdg::Frame& frame);
+  // Of the polygon, mapped into the frame.
+  EdgeRuns(const Polygon& polygon, const pdg::Frame& frame);
 
   // Is visit(p, q) true of any edge whose run's box meets [low, high]?
   template <class Visit>
@@ -27,7 +27,7 @@ class Outline {
     return false;
   }
 
-  [[nodiscard]] std::size_t runs() const { return runs_.size(); }
+  [[nodiscard]] std::size_t count() const { return runs_.size(); }
 
   // By the parity of crossings to the right.
   [[nodiscard]] bool contains(Vec2 point) const;
