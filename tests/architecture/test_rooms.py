@@ -29,7 +29,9 @@ from architecture.import_graph import (
 PYTHON_ROOMS = (
     "pdg._core",
     "pdg.errors",
-    "pdg._constants",
+    "pdg.stop_reason",
+    "pdg.tolerances",
+    "pdg.aliases",
     "pdg._gate",
     "pdg.bodies",
     "pdg.depths",

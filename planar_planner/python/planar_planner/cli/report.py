@@ -2,20 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from planar_planner.errors import one_line
 from planar_planner.planning.outcome import StopReason
 
 if TYPE_CHECKING:
     from planar_planner.planning.result import Result, Statistics
-
-_HEADLINES = {
-    "path": "path found",
-    "no_path": "no path, proven",
-    "undecided": "undecided",
-}
 
 _ALLOW_CONTACT = "--contact-tolerance LENGTH allows it"
 
@@ -31,12 +24,6 @@ HINTS: Mapping[StopReason, str] = {
     StopReason.GOAL_TOUCHES_WORKSPACE: _ALLOW_CONTACT,
 }
 """What a user of the command line can do about an undecided query; some reasons have no remedy."""
-
-
-def headline(result: Result, paint: Callable[[str], str] = str) -> str:
-    """Return the verdict in one line; `paint` may colour its words."""
-    reason = one_line(f" ({result.reason})") if result.reason else ""
-    return f"{one_line(result.scene)}: {paint(_HEADLINES[result.verdict])}{reason}"
 
 
 def statistics(result: Result) -> str:

@@ -14,9 +14,10 @@ from planar_planner.cli.arguments.shared import VERDICTS, add_command, add_plot
 from planar_planner.cli.arguments.view import add_view, view_of
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
-from planar_planner.cli.report import headline, statistics
+from planar_planner.cli.report import statistics
 from planar_planner.cli.terminal import VERDICT_STYLES, styled
 from planar_planner.output_files import check_writable, complain, emit, written_aside
+from planar_planner.planning.result_text import headline
 
 if TYPE_CHECKING:
     from planar_planner.planning.options import Options
