@@ -12,7 +12,7 @@
 namespace pdg {
 namespace {
 
-// Where squares neither over- nor underflow.
+// A square in this range has neither overflowed nor underflowed.
 constexpr double kLeastSquare = 0x1p-900;
 constexpr double kLargestSquare = 0x1p900;
 

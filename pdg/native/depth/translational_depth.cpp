@@ -38,7 +38,8 @@ std::optional<PairState> judge_edge(const Vec2 u, const Vec2 v, const ConvexPoly
   return meet ? PairState::kTouching : PairState::kApart;
 }
 
-// Of one polygon's edge: the other's vertex that is deepest behind it, or least far before it.
+// One polygon's edge, and the other polygon's vertex that is deepest behind it or least far before
+// it.
 struct Axis {
   double separation = kInfinity;  // plain separating-axis function
   std::size_t deepest = 0;
@@ -166,7 +167,7 @@ double axis_error(const Outline& a, const Outline& b) {
   return kAxisErrorUnits * kUnitRoundoff * (extent.x + extent.y);
 }
 
-// In plain doubles; any value above `enough` stands for one.
+// Computed in plain doubles; any value above `enough` stands for the greatest.
 double greatest_separation(const Outline& a, const Outline& b, const double enough) {
   const Vec2 towards_a = centre(a.box) - centre(b.box);
   double separation = -kInfinity;

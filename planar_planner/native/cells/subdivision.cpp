@@ -11,8 +11,8 @@ namespace planner {
 
 namespace {
 
-// From the back: what is split is mostly what was added last, also in the long lists of large
-// cells.
+// Searches from the back, because a cell that is split is mostly one that was added last, also in
+// the long lists of large cells.
 CellId* find_last(std::vector<CellId>& list, const CellId value) {
   for (std::size_t i = list.size(); i-- > 0;)
     if (list[i] == value) return &list[i];

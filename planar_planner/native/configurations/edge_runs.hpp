@@ -12,10 +12,10 @@ namespace planner {
 
 class EdgeRuns {
  public:
-  // Of the polygon, mapped into the frame.
+  // The polygon is mapped into the frame.
   EdgeRuns(const Polygon& polygon, const pdg::Frame& frame);
 
-  // Is visit(p, q) true of any edge whose run's box meets [low, high]?
+  // Is visit(p, q) true for any edge whose run's box meets [low, high]?
   template <class Visit>
   [[nodiscard]] bool any_edge(const Vec2 low, const Vec2 high, const Visit& visit) const {
     for (const Run& run : runs_) {
@@ -29,7 +29,7 @@ class EdgeRuns {
 
   [[nodiscard]] std::size_t count() const { return runs_.size(); }
 
-  // By the parity of crossings to the right.
+  // Decided by the parity of the crossings of a ray to the right.
   [[nodiscard]] bool contains(Vec2 point) const;
 
  private:

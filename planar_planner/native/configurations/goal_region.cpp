@@ -152,7 +152,7 @@ std::vector<Configuration> GoalRegion::inside(const CellSpace& space, const Cell
     const pdg::ConvexPolygon common = clipped(part.reachable, r);
     if (common.empty()) continue;
     append_point(out, middle_of(common), *angle);
-    // Of a part without room for a middle only corners can be told to lie in it.
+    // A part may be so narrow that rounding moves its middle out of it; its corners lie in it.
     if (out.empty())
       for (const Vec2 corner : common) append_point(out, corner, *angle);
   }

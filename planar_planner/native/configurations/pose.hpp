@@ -20,7 +20,7 @@ Pose pose_of(const Problem& problem, const Configuration& q);
 // Moved onto the reference bounds where rounding carried it out of them.
 Configuration configuration_of(const Problem& problem, const Pose& pose);
 
-// Its place in the domain in units of 2^-60 (cell.hpp), up to kDyadicSlack.
+// Its place in the domain in units of 2^-60 (dyadic_box.hpp), up to kDyadicSlack.
 std::array<std::uint64_t, 3> dyadic_point(const Problem& problem, const Configuration& q);
 
 // Units of 2^-60 of the domain and of a turn: x and y are rounded 5 times at magnitudes below 2

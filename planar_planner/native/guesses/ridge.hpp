@@ -1,6 +1,6 @@
 // Configurations pushed to where their clearance is largest locally: onto the ridge of the
-// clearance function, along which a narrow gate can be passed. In plain doubles: a hint, of which
-// only the certificates of the segments in between are believed.
+// clearance function, along which a narrow gate can be passed. In plain doubles: a hint; only
+// the certificates of the segments in between prove anything.
 #pragma once
 
 #include <cstdint>
@@ -39,14 +39,15 @@ class RidgeClimb {
   RidgeClimb(const Problem& problem, const ObstacleTree& tree, Statistics& statistics)
       : problem_(problem), tree_(tree), statistics_(statistics), posed_(problem.robot) {}
 
-  // What a cell leaves undecided; all axes of pairs that are still closed, none of nodes.
+  // Adds the axes that a cell leaves undecided: all axes of pairs that are still closed, and none
+  // of nodes.
   void add_axes(const ConstraintView& list, std::vector<PairAxis>& axes) const;
-  // By pairs, and each once: what the functions below ask for.
+  // Sorts axes by pairs and keeps each once, as the functions below require.
   static void sort_axes(std::vector<PairAxis>& axes);
 
-  // Of every pair the axis that separates it the most; returns the least separation.
+  // Adds for every pair the axis that separates it the most; returns the least separation.
   double add_best(const Pose& pose, std::span<const PairAxis> axes, std::vector<PairAxis>& best);
-  // Of every pair all axes that separate it about as much as the best.
+  // Adds for every pair all axes that separate it about as much as the best.
   void add_good(const Pose& pose, std::span<const PairAxis> axes, std::vector<PairAxis>& good);
 
   // Steps up the clearance, none longer than `radius` (planner units, a turn counting as its

@@ -11,7 +11,7 @@ bool RidgePath::spent() const {
   return statistics_.axis_work() >= most_ || (*stop_)();
 }
 
-// Of the robot's farthest point, at most.
+// An upper bound of the way of the robot's farthest point.
 double RidgePath::way(const Pose& from, const Pose& to) const {
   return pdg::norm(to.t - from.t) + problem_.robot.reach * std::abs(to.theta - from.theta);
 }

@@ -38,7 +38,7 @@ class RidgePath {
     std::size_t cell;  // its place in the channel
     double clearance;  // infinite at the ends and in solid cells
   };
-  // From one foothold to the next.
+  // The way from one foothold to the next.
   struct Gap {
     std::size_t from;
     double clearance;         // of the tighter end; negative: a cell in between has no foothold

@@ -26,7 +26,7 @@ struct Witness {
   std::uint16_t robot;     // piece of the robot
 };
 
-// What single pairs say of a set: kFree, kFull or kMixed.
+// The label of a set by single pairs: kFree, kFull or kMixed.
 struct LabelResult {
   Label label = Label::kMixed;
   Witness witness{};         // kFull

@@ -80,8 +80,8 @@ class Probe {
     return std::max(least, 0.0);
   }
 
-  // Of the robot, which `over` has posed for this configuration, from the hull of the polygon that
-  // the node is.
+  // The separation of the robot, which `over` has posed for this configuration, from the hull of
+  // the polygon that the node is.
   double hull_separation(const std::uint32_t node, const pdg::Motion& rest) {
     const pdg::ConvexPiece* const hull = tree_.hull(node);
     if (hull == nullptr) return -INFINITY;

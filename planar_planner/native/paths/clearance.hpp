@@ -10,7 +10,8 @@
 
 namespace planner {
 
-// Of the separation along the axes, which never exceeds the Euclidean distance. Planner units.
+// Bounds of a path's separation along the axes, which never exceeds the Euclidean distance; planner
+// units.
 struct ClearanceBounds {
   double lower = std::numeric_limits<double>::infinity();  // certified
   double upper = std::numeric_limits<double>::infinity();  // the least found at any configuration

@@ -51,7 +51,8 @@ double CollisionHint::gap_to_box(const TreeNode& node) const {
                   std::max(low_.y - node.high.y, node.low.y - high_.y));
 }
 
-// Of a node without children. One that hit before may have been decomposed since: then not.
+// The node has no children. A node that was hit before may have been decomposed since; then it is
+// neither a piece nor a whole polygon, and counts as not hit.
 bool CollisionHint::hits_node(const std::uint32_t index) {
   const std::uint32_t piece = tree_.node(index).piece;
   if (piece != kNoPiece) return hits_piece(tree_.piece(piece));
@@ -115,7 +116,7 @@ void CollisionHint::place_hull() {
   high_ = high_ + t_;
 }
 
-// Of the reference point to the edge of its domain.
+// The distance of the reference point from the edge of its domain.
 double CollisionHint::gap_to_domain() const {
   const Domain& d = problem_.domain;
   const Vec2 place = t_ - d.low;
@@ -132,7 +133,7 @@ double CollisionHint::gap_to_walls() const {
   return least;
 }
 
-// What blocked the last configuration often blocks this one, and asking it first spares the rest.
+// The piece that blocked the last configuration often blocks this one, so it is asked first.
 bool CollisionHint::hits_last_piece() {
   if (last_hit_ == kNoPiece) return false;
   const std::uint32_t piece = tree_.node(last_hit_).piece;

@@ -57,7 +57,7 @@ class CollisionHint {
   std::uint64_t work_ = 0;
   std::uint32_t last_hit_ = kNoPiece;  // node
 
-  // Of the configuration asked about.
+  // What belongs to the configuration that is asked about.
   Vec2 t_;
   pdg::Rotation rotation_;
   Vec2 low_, high_;  // bounds of the robot

@@ -1,4 +1,4 @@
-// From a proven channel to a short, certified path.
+// Makes a short, certified path of a proven channel.
 #pragma once
 
 #include <cstddef>

@@ -32,7 +32,7 @@ class SegmentTest {
 
   // True: every configuration from one pose to the other is free, in exact arithmetic, also for the
   // real poses that these doubles were rounded from. False: collides, or needs too many intervals.
-  // With a margin: by at least that much, along the separating axes.
+  // With a margin, they are free by at least that much along the separating axes.
   bool certify(const Pose& from, const Pose& to, double margin = 0.0);
 
   // Lower bound of this single configuration's clearance, planner units; empty if it is not proven

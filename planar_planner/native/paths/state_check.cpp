@@ -147,7 +147,7 @@ bool StateCheck::meets(const Node& node) const {
          node.low.y < high_.y;
 }
 
-// Not separated beyond doubt from some piece of the robot.
+// True if some piece of the robot is not separated from the obstacle beyond doubt.
 bool StateCheck::overlaps(const std::uint32_t obstacle) {
   const Piece& b = obstacles_.pieces[obstacle];
   for (std::size_t i = 0; i < robot_.pieces.size(); ++i) {

@@ -74,7 +74,7 @@ class StateCheck {
   Shapes robot_, obstacles_;
   std::vector<Node> nodes_;
 
-  // Of the configuration being checked.
+  // What belongs to the configuration that is being checked.
   Vec2 t_;
   pdg::Rotation rotation_;
   Vec2 low_, high_;  // bounds of the robot, placed

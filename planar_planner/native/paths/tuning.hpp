@@ -13,8 +13,8 @@ namespace planner {
 inline constexpr int kMostIntervals = 2000;
 inline constexpr std::size_t kDeepestInterval = 44;
 
-// For evidence a segment's parts are halved at most so often, and there are at most so many.
-// Chosen, not tuned: far more than a certified segment takes.
+// The parts that evidence cuts a segment into are halved at most so often, and there are at most so
+// many. Chosen, not tuned: far more than a certified segment takes.
 inline constexpr int kDeepestPart = 50;
 inline constexpr std::size_t kMostParts = 1U << 20U;
 

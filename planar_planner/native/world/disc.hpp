@@ -16,7 +16,7 @@ struct DiscScenes {
   Scene inside;  // lies inside the robot in every orientation, exactly
 };
 
-// Only for robots whose discs are close enough to be worth a try.
+// Empty unless the robot's discs are so close to it that they are worth a try.
 std::optional<DiscScenes> disc_scenes(const Problem& problem);
 
 }  // namespace planner
