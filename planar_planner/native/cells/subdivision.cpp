@@ -189,7 +189,7 @@ void Subdivision::count(const Classification& found) {
   ++statistics_.labelled_cells;
   if (found.label == Label::kFull && found.joint) ++statistics_.joint_cells;
   const bool star_asked = found.label == Label::kStar || found.label == Label::kMixed;
-  if (star_asked && labeller_.parts().star) ++statistics_.star_tests;
+  if (star_asked && labeller_.ablation().star) ++statistics_.star_tests;
 }
 
 // Moves what stands behind the label to where it is kept.

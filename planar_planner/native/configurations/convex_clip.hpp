@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pdg/native/geometry/polygon.hpp"
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/problem.hpp"
 
 namespace planner {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pdg/native/geometry/convex_piece.hpp"
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/problem.hpp"
 
 namespace planner {
 

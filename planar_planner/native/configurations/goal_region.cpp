@@ -9,7 +9,7 @@
 #include "pdg/native/geometry/predicates.hpp"
 #include "planar_planner/native/tolerances.hpp"
 #include "planar_planner/native/world/pieces.hpp"
-#include "pose.hpp"
+#include "scaled_configuration.hpp"
 #include "tuning.hpp"
 
 namespace planner {
@@ -42,7 +42,7 @@ bool apart(const pdg::ConvexPolygon& part, const Rectangle& bounds, const Rectan
 
 }  // namespace
 
-GoalRegion::GoalRegion(const Problem& problem, const GoalSet& set)
+GoalRegion::GoalRegion(const ScaledProblem& problem, const GoalSet& set)
     : problem_(problem), angles_(set.angles) {
   if (angles_) {
     const std::uint64_t low = dyadic_point(problem, {0.0, 0.0, angles_->low})[kTheta];

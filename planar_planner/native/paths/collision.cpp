@@ -7,7 +7,8 @@
 
 namespace planner {
 
-CollisionHint::CollisionHint(const Problem& problem, ObstacleTree& tree, const std::size_t small)
+CollisionHint::CollisionHint(const ScaledProblem& problem, ObstacleTree& tree,
+                             const std::size_t small)
     : problem_(problem),
       tree_(tree),
       small_(all_obstacles(problem).points() <= small),
@@ -16,10 +17,10 @@ CollisionHint::CollisionHint(const Problem& problem, ObstacleTree& tree, const s
       turned_at_(problem.robot.pieces.size()),
       edges_(small_ ? 0 : all_obstacles(problem).size()) {}
 
-double CollisionHint::gap(const Pose& pose) {
+double CollisionHint::gap(const ScaledConfiguration& q) {
   ++calls_;
-  t_ = pose.t;
-  rotation_ = rotation_at(pose.theta);
+  t_ = q.t;
+  rotation_ = rotation_at(q.theta);
   if (gap_to_domain() < 0.0 || hits_last_piece()) return kCollides;
   place_hull();
   double least = std::min(gap_to_domain(), gap_to_walls());

@@ -9,9 +9,9 @@
 
 #include "pdg/native/geometry/motion.hpp"
 #include "planar_planner/native/configurations/edge_runs.hpp"
-#include "planar_planner/native/configurations/pose.hpp"
+#include "planar_planner/native/configurations/scaled_configuration.hpp"
 #include "planar_planner/native/world/obstacle_tree.hpp"
-#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 #include "tuning.hpp"
 
 namespace planner {
@@ -21,12 +21,12 @@ inline constexpr double kCollides = -1.0;
 class CollisionHint {
  public:
   // Scenes with more obstacle vertices than `small` are large.
-  CollisionHint(const Problem& problem, ObstacleTree& tree, std::size_t small = kSmallScene);
+  CollisionHint(const ScaledProblem& problem, ObstacleTree& tree, std::size_t small = kSmallScene);
 
   // How far every point of the robot may move and meet nothing, by bounding boxes: often 0, never
   // too much. kCollides if the robot overlaps something, or the reference point is out of its
   // domain.
-  double gap(const Pose& pose);
+  double gap(const ScaledConfiguration& q);
 
   // Calls of gap.
   [[nodiscard]] std::uint64_t calls() const { return calls_; }
@@ -46,7 +46,7 @@ class CollisionHint {
   void turn(std::size_t piece);
   bool separated(std::size_t piece, const pdg::ConvexPiece& obstacle);
 
-  const Problem& problem_;
+  const ScaledProblem& problem_;
   ObstacleTree& tree_;
   bool small_;                                  // a scene whose polygons are all decomposed
   std::vector<Vec2> vertices_, normals_;        // of the robot's pieces, turned but not moved

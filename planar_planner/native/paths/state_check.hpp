@@ -6,7 +6,7 @@
 
 #include "pdg/native/geometry/motion.hpp"
 #include "planar_planner/native/world/problem.hpp"
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 
 namespace planner {
 
@@ -15,7 +15,7 @@ namespace planner {
 class StateCheck {
  public:
   // Copies what it needs.
-  explicit StateCheck(const Problem& problem);
+  explicit StateCheck(const ScaledProblem& problem);
 
   // True: free, in exact arithmetic, for the very doubles of scene and q (x, y in the user's unit,
   // theta in radians), touching allowed. False: overlapping, out of bounds, not finite, or nearer

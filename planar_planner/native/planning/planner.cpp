@@ -36,12 +36,12 @@ constexpr int kProbePaths = 16;
 // A few configurations of each leg, the middle first: a certificate that must fail is not begun.
 constexpr std::array<double, 7> kGlances = {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};
 
-bool looks_blocked(const Problem& problem, CollisionHint& hint,
+bool looks_blocked(const ScaledProblem& problem, CollisionHint& hint,
                    const std::vector<Configuration>& path) {
   for (const double s : kGlances)
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      const Pose from = pose_of(problem, path[i]);
-      const Pose to = pose_of(problem, path[i + 1]);
+      const ScaledConfiguration from = scaled(problem, path[i]);
+      const ScaledConfiguration to = scaled(problem, path[i + 1]);
       if (hint.gap(between(from, to, s)) < 0.0) return true;
     }
   return false;
@@ -55,12 +55,12 @@ StopReason touches(const bool at_start, const bool workspace) {
 
 }  // namespace
 
-Planner::Planner(Scene scene, const Parts& parts) {
+Planner::Planner(Problem given, const Ablation& ablation) {
   const Stopwatch watch(preprocessing_);
-  problem_ = make_problem(std::move(scene), parts);
+  problem_ = make_scaled_problem(std::move(given), ablation);
   tree_ = std::make_unique<ObstacleTree>(all_obstacles(problem_), problem_.frame, problem_.walls,
-                                         parts.partition);
-  labeller_ = std::make_unique<Labeller>(problem_.robot, *tree_, statistics_, parts);
+                                         ablation.partition);
+  labeller_ = std::make_unique<Labeller>(problem_.robot, *tree_, statistics_, ablation);
   segments_ = std::make_unique<SegmentTest>(problem_, *labeller_, statistics_);
 }
 
@@ -72,9 +72,9 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   CollisionHint hint(problem_, *tree_);
-  const bool cheap = problem_.parts.cheap;
+  const bool cheap = problem_.ablation.cheap;
   if (!ends_not_free(query) && !(cheap && (cheap_move(query, hint) || disc_answer(query, goal))) &&
-      !(problem_.parts.probe && probe(query, hint)))
+      !(problem_.ablation.probe && probe(query, hint)))
     subdivide(query);
   confirm_absence(query, start, goal);
   remember(query, start, goal);
@@ -175,9 +175,9 @@ bool Planner::probe(Query& query, CollisionHint& hint) {
 
 bool Planner::disc_answer(Query& query, const Goal& goal) {
   if (!std::exchange(disc_prepared_, true)) {
-    if (auto scenes = disc_scenes(problem_)) {
-      disc_round_ = std::make_unique<Planner>(std::move(scenes->round), problem_.parts);
-      disc_inside_ = std::make_unique<Planner>(std::move(scenes->inside), problem_.parts);
+    if (auto discs = disc_problems(problem_)) {
+      disc_round_ = std::make_unique<Planner>(std::move(discs->round), problem_.ablation);
+      disc_inside_ = std::make_unique<Planner>(std::move(discs->inside), problem_.ablation);
     }
   }
   if (!disc_round_) return false;
@@ -352,7 +352,7 @@ PathCheck Planner::check_path(std::vector<Configuration> path) {
   PathCheck check;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const bool turns = !problem_.rotation && path[i].theta != path[0].theta;
-    const bool alone = path.size() == 1 && !segments_->is_free(pose_of(problem_, path[i]));
+    const bool alone = path.size() == 1 && !segments_->is_free(scaled(problem_, path[i]));
     if (outside_bounds(problem_, path[i]) == 0.0 && !turns && !alone) continue;
     check.bad_segment = i == 0 ? 0 : static_cast<std::int64_t>(i) - 1;
     return check;

@@ -10,7 +10,7 @@
 #include "planar_planner/native/outcome.hpp"
 #include "planar_planner/native/paths/path.hpp"
 #include "planar_planner/native/statistics.hpp"
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/problem.hpp"
 
 namespace planner {
 

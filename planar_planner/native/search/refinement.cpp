@@ -18,7 +18,7 @@ constexpr float kBatch = 0.7F;
 
 }  // namespace
 
-Refinement::Refinement(const Problem& problem, ObstacleTree& tree, Subdivision& subdivision,
+Refinement::Refinement(const ScaledProblem& problem, ObstacleTree& tree, Subdivision& subdivision,
                        FaceTest& faces, SegmentTest& segments, Statistics& statistics, Query& query)
     : problem_(problem),
       tree_(tree),
@@ -59,7 +59,7 @@ void Refinement::run() {
     bool connected = false;
     {
       const Stopwatch watch(statistics_.seconds.search);
-      if (!problem_.parts.incremental) search_.rebuild();
+      if (!problem_.ablation.incremental) search_.rebuild();
       connected = search_.find(channel);
     }
     if (!connected && !goal_connected())
@@ -82,7 +82,7 @@ void Refinement::run() {
     }
     statistics_.channel_length = channel.size();
     if (try_ridge(channel)) return;
-    const bool everywhere = !problem_.parts.guided && !solid(channel);
+    const bool everywhere = !problem_.ablation.guided && !solid(channel);
     if (split_mixed(everywhere ? all_cells() : channel)) continue;
     if (!link(channel)) continue;
     if (finish(channel)) return;
@@ -209,7 +209,7 @@ bool Refinement::pick_goal(const CellId cell) {
   if (!goals_) return true;
   for (const Configuration& q :
        goals_->region().inside(subdivision_.space(), subdivision_.cell(cell).box)) {
-    if (!segments_.is_free(pose_of(problem_, q))) continue;
+    if (!segments_.is_free(scaled(problem_, q))) continue;
     query_.goal = q;
     return true;
   }
