@@ -17,7 +17,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from lib.native import build
-from lib.provenance import RESULTS, print_provenance, use_one_core, write_csv
+from lib.provenance import print_provenance, use_one_core, write_csv
+from lib.tables import figures
 from parts.ablation.culling import DRIVER, QUERIES, Culling, culling
 from parts.ablation.picture import draw
 from parts.ablation.variants import ABLATIONS, TABLE_2, Outcome, Variant, outcome
@@ -161,7 +162,7 @@ def culling_rows(found: Culling) -> list[tuple[object, ...]]:
             (
                 *(found.scene, found.walk, found.cells, found.obstacle, found.undecided),
                 *(query, found.culled[query], "" if ratio is None else f"{ratio:.4f}"),
-                *(f"{ns:.0f}" for ns in (cost.ns.median, cost.ns.lower, cost.ns.upper)),
+                *figures(cost.ns, 1.0, ".0f"),
                 *(cost.ns.count, f"{cost.evaluations:.2f}"),
                 "" if cost.instructions is None else f"{cost.instructions:.0f}",
             )
@@ -175,7 +176,7 @@ def outcome_row(scene: str, each: Outcome) -> tuple[object, ...]:
     return (
         *(scene, each.variant.name, each.verdict, stats.cells, stats.labelled_cells),
         *(stats.separation_evaluations, stats.search_rounds, stats.search_expansions),
-        *(f"{1e3 * t:.4g}" for t in (seconds.median, seconds.lower, seconds.upper)),
+        *figures(seconds),
         seconds.count,
         *(f"{1e3 * getattr(stats.seconds, clock):.4g}" for clock in ("labelling", "search")),
         stats.memory_bytes,
@@ -220,7 +221,7 @@ def main() -> None:
     for name, table in (("table2.csv", table_2), ("ablation.csv", ablations)):
         each_row = [outcome_row(scene, each) for scene, all_ in table.items() for each in all_]
         write_csv(name, facts, OUTCOME_HEADER, each_row)
-    draw([c for c in cullings if c.walk.endswith(DRIVER)], ablations, RESULTS / "ablation.png")
+    draw([c for c in cullings if c.walk.endswith(DRIVER)], ablations, "ablation.png")
     print("\nwritten: culling.csv, table2.csv, ablation.csv, ablation.png")
 
 

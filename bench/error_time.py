@@ -20,6 +20,7 @@ import sys
 from collections.abc import Iterator, Sequence
 
 from lib.provenance import print_provenance, write_csv
+from lib.tables import show
 from parts.error_time import bracketing, pictures, tables, truths
 from parts.error_time.sampling import sweep_sampler
 from parts.error_time.sweep import OURS, PARTS, Effort, Point, WrongVerdictError, sweep
@@ -56,8 +57,8 @@ def main() -> int:
         return 2
     laws = list(tables.rows_of_laws(points))
     errors = list(tables.rows_of_errors(points))
-    tables.show("Ours: cells and time near the critical parameter", tables.LAWS_HEADER, laws)
-    tables.show("Error at a time", tables.ERRORS_HEADER, errors)
+    show("Ours: cells and time near the critical parameter", tables.LAWS_HEADER, laws)
+    show("Error at a time", tables.ERRORS_HEADER, errors)
     if arguments.family:
         print("\nnot all families: nothing is written")
     else:

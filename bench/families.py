@@ -12,20 +12,19 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
-from lib.provenance import RESULTS, print_provenance, use_one_core, write_csv
+from lib.bisection import bisect
+from lib.pictures import GREY, VERDICT_COLOURS, finish, new_panels, save
+from lib.provenance import print_provenance, use_one_core, write_csv
+from lib.tables import MS, figures
 from lib.timing import Measured, measure
-from parts.targets.scenes import bisect
 from planar_planner import Options
 from scenarios import corner, gear
 from scenarios.model import Scene
 
 GEAR_BRACKET = 1e-10
 FINE = Options(resolution=1e-13)  # for that bracket; what is shown is at the default
-COLOURS = {"path": "#0072B2", "no_path": "#D55E00"}  # Okabe and Ito
 STYLES = {"corner": "o-", "gear": "s--"}
-MS = 1e3
 
 
 @dataclass(frozen=True)
@@ -70,7 +69,7 @@ def halves(first: int, last: int) -> list[float]:
 def draw(axes: Axes, points: list[Point], quantity: Callable[[Point], float], label: str) -> None:
     """Draw one quantity of all families against the distance."""
     for family, style in STYLES.items():
-        for verdict, colour in COLOURS.items():
+        for verdict, colour in VERDICT_COLOURS.items():
             chosen = [p for p in points if p.family == family and p.verdict == verdict]
             axes.loglog(
                 [p.distance for p in chosen],
@@ -86,14 +85,13 @@ def draw(axes: Axes, points: list[Point], quantity: Callable[[Point], float], la
             [p.distance for p in undecided],
             [quantity(p) for p in undecided],
             "x",
-            color="#666666",
+            color=GREY,
             label="undecided",
         )
     axes.set_xlabel("distance from the critical parameter")
     axes.set_ylabel(label)
     axes.invert_xaxis()
-    axes.grid(visible=True, which="major", color="#DDDDDD", linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)
+    finish(axes)
 
 
 def main() -> None:
@@ -118,7 +116,7 @@ def main() -> None:
             f"{p.distance:.3e}",
             p.verdict,
             p.measured.cells,
-            *(f"{MS * t:.4g}" for t in (core.median, core.lower, core.upper)),
+            *figures(core),
             core.count,
         )
         for p in points
@@ -128,13 +126,11 @@ def main() -> None:
         print("{:8} {:8} {:>10} {:10} {:>8,} {:>9} ms".format(*row[:6]))
     file = write_csv("families.csv", facts, header, rows)
 
-    figure = Figure(figsize=(10, 4.2), layout="constrained")
-    left, right = figure.subplots(1, 2)
+    figure, (left, right) = new_panels(1, 2, 10, 4.2)
     draw(left, points, lambda p: p.measured.cells, "cells")
     draw(right, points, lambda p: MS * p.measured.core.median, "core time (ms)")
     left.legend(frameon=False, fontsize=8)
-    picture = RESULTS / "families.png"
-    figure.savefig(picture, dpi=110, metadata={"Software": None})
+    picture = save(figure, "families.png")
     print(f"\nwritten: {file.name}, {picture.name}")
 
 

@@ -26,7 +26,7 @@ from dataclasses import dataclass, replace
 from importlib.metadata import version
 from pathlib import Path
 
-from lib.provenance import RESULTS, print_provenance, write_csv
+from lib.provenance import print_provenance, write_csv
 from parts.ompl.driver import PLANNERS, DriverMissingError, Request, build_driver, dump, run_driver
 from parts.ompl.picture import draw
 from parts.ompl.table import (
@@ -197,7 +197,7 @@ def main() -> int:
     print("\n".join(aligned(verdict_rows(found))))
     if not quick:
         print(f"\nwritten: {write_csv('ompl.csv', facts, HEADER, map(csv_row, found)).name}")
-        draw(found, plan.limit, RESULTS / "ompl.png")
+        draw(found, plan.limit, "ompl.png")
     ours = [entry for entry in found if entry.source == "ours"]
     return int(any(e.planner == "undecided" or set(e.soundness) - {"sound"} for e in ours))
 

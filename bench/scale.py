@@ -16,7 +16,8 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from lib.native import build
-from lib.provenance import RESULTS, print_provenance, use_one_core, write_csv
+from lib.provenance import print_provenance, use_one_core, write_csv
+from lib.tables import MS, figures
 from lib.timing import Spread
 from oracles import fits
 from parts.scale import point
@@ -123,8 +124,8 @@ def write(
     for name, points in all_points.items():
         for value, p in points:
             time = Spread.of(p["seconds"]) if "seconds" in p else None
-            ms = [f"{1e3 * t:.4g}" for t in (time.median, time.lower, time.upper)] if time else []
-            clocks = [*ms, time.count, f"{1e3 * p['loading']:.4g}"] if time else ["", "", "", 0, ""]
+            loading = f"{MS * p['loading']:.4g}" if time else ""
+            clocks = (*figures(time), time.count, loading) if time else ("", "", "", 0, "")
             table.append((name, f"{value:g}", p["verdict"], *(p.get(k, "") for k in keys), *clocks))
     header = ("family", "value", "verdict", *keys, "ms", "lower", "upper", "count", "loading_ms")
     write_csv("scale.csv", facts, header, table)
@@ -154,13 +155,13 @@ def write(
         [
             (
                 *(i.scene, i.cells, f"{i.evaluations:.3f}"),
-                *(f"{t:.1f}" for t in (i.ns.median, i.ns.lower, i.ns.upper)),
+                *figures(i.ns, 1.0, ".1f"),
                 "" if i.instructions is None else f"{i.instructions:.0f}",
             )
             for i in inner
         ],
     )
-    draw(all_points, repeats, RESULTS / "scale.png")
+    draw(all_points, repeats, "scale.png")
     print(
         "\nwritten: scale.csv, scale_fits.csv, scale_repeated.csv, scale_inner_loop.csv, scale.png"
     )

@@ -11,10 +11,11 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from lib.bisection import bisect
 from lib.provenance import print_provenance, use_one_core, write_csv
 from lib.timing import Measured, Spread, measure
 from parts.targets.processes import first_line, heavy_modules, import_time, large_query
-from parts.targets.scenes import JAMMED_GATES, bisect
+from parts.targets.scenes import JAMMED_GATES
 from planar_planner.scene.builtin import manifest
 from scenarios import corner, field, gear
 

@@ -95,14 +95,14 @@ def generalized() -> None:
     """Draw how far a peg in a notch must be moved, without and with turning."""
     pose = (0.0, 0.1, 0.12)
     without = pdg.translational_depth(PEG, BLOCK, pose)
-    lower = pdg.generalized_depth_lower_bound(PEG, BLOCK, pose).depth
+    lower = pdg.generalized_depth_lower_bound(PEG, BLOCK, pose).lower
     upper = pdg.generalized_depth_upper_bound(PEG, BLOCK, pose)
     pushed = placed(PEG, pose) + without.depth * np.array(without.direction)
-    turned = placed(PEG, upper.displaced.pose)
+    turned = placed(PEG, upper.placement.pose)
     figure, panels = plt.subplots(1, 2, figsize=(9, 5))
     titles = [
         (pushed, f"translation only: PD$^t$ = {without.depth:.3f}"),
-        (turned, f"turning too: LB {lower:.3f} ≤ PD$^g$ ≤ UB {upper.displacement:.3f}"),
+        (turned, f"turning too: LB {lower:.3f} ≤ PD$^g$ ≤ UB {upper.upper:.3f}"),
     ]
     for axes, (ring, title) in zip(panels, titles, strict=True):
         body(axes, BLOCK, GREY, "B")
@@ -115,7 +115,7 @@ def generalized() -> None:
 def distance() -> None:
     """Draw DISP, and the motion whose longest path bounds D_g."""
     start, end = (0.0, 0.0, 0.0), (1.5, -2.0, 2.0)
-    bounds = pdg.generalized_distance_bounds(HAMMER, start, end)
+    bounds = pdg.generalized_distance_bracket(HAMMER, start, end)
     figure, axes = plt.subplots(figsize=(6.5, 5))
     body(axes, placed(HAMMER, start), BLUE, "A(q₀)")
     body(axes, placed(HAMMER, end), GREEN, "A(q₁)")

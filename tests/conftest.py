@@ -6,37 +6,23 @@ The stand-in lets the gate and the command line be tested apart from the planner
 
 from __future__ import annotations
 
-import sys
-from types import ModuleType
 from typing import Any
 
 import pytest
 
-from planar_planner import _core
-from support.stand_in_core import FakeCore
+from support.stand_in_core import FakeCore, refuse_the_real_core
 from worlds.small import small_scene
 
 
 @pytest.fixture
 def fake_core(monkeypatch: pytest.MonkeyPatch) -> type[FakeCore]:
-    """Replace the core of the planner by a fresh stand-in."""
-    core = type("Core", (FakeCore,), {"built": [], "solved": []})
-    module = ModuleType("planar_planner._core")
-    vars(module).update(vars(_core) | {"Core": core})
-    monkeypatch.setitem(sys.modules, "planar_planner._core", module)
-    # modules that took the real class by name are imported anew, with the stand-in
-    for name in (
-        "planning.engine",
-        "planning.placement",
-        "planning.planner",
-        "cli.commands.solve",
-        "cli.commands.check",
-    ):
-        monkeypatch.delitem(sys.modules, f"planar_planner.{name}", raising=False)
-    import planar_planner
+    """Replace the core that planners are made with by a fresh stand-in.
 
-    for name in ("solve", "Planner"):
-        monkeypatch.delitem(vars(planar_planner), name, raising=False)
+    All cores are made in one place. A core that is made elsewhere raises as soon as it is asked.
+    """
+    core = type("Core", (FakeCore,), {"built": [], "solved": []})
+    refuse_the_real_core(monkeypatch)
+    monkeypatch.setattr("planar_planner.planning.engine.Core", core)
     return core
 
 

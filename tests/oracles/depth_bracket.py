@@ -101,7 +101,7 @@ class Slices:
             return float(np.hypot(*(best + moves).T).max())
         turned = [placed(piece, (0.0, 0.0, theta)) for piece in self._pieces]
         sums = [
-            shapely.MultiPoint((b[:, None] - a[None]).reshape(-1, 2)).convex_hull
+            shapely.multipoints((b[:, None] - a[None]).reshape(-1, 2)).convex_hull
             for a in turned
             for b in triangles(body)
         ]
@@ -113,7 +113,7 @@ class Slices:
 
 def _centre(points: Array) -> Array:
     """Return the centre of the smallest circle round points, good to some 1e-9 of its radius."""
-    circle = shapely.minimum_bounding_circle(shapely.MultiPoint(points))
+    circle = shapely.minimum_bounding_circle(shapely.multipoints(points))
     if circle.is_empty or circle.geom_type != "Polygon":  # all in one place
         return np.asarray(points[0])
     return np.asarray(shapely.get_coordinates(circle.centroid)[0])

@@ -9,11 +9,15 @@ from oracles.placing import Array, Pose, placed
 
 
 def minkowski_depth(a: Array, b: Array, pose: Pose) -> float:
-    """Return PD^t as the origin's distance from the boundary of the hull of all b - a (shapely)."""
+    """Return PD^t as the origin's distance from the boundary of the hull of all b - a (shapely).
+
+    Negative if the origin lies outside: minus the distance of the bodies.
+    """
     moved = placed(a, pose)
     sums = (b[:, None, :] - moved[None, :, :]).reshape(-1, 2)
-    difference = shapely.MultiPoint(sums).convex_hull
-    return float(difference.exterior.distance(shapely.Point(0, 0)))
+    difference, origin = shapely.multipoints(sums).convex_hull, shapely.Point(0, 0)
+    distance = float(difference.exterior.distance(origin))
+    return distance if difference.contains(origin) else -distance
 
 
 def sampled_depth(a: Array, b: Array, pose: Pose, directions: int) -> float:

@@ -7,8 +7,8 @@ between q_c and any other configuration of the cell (displacement metric). Hence
 - if the robot *shrunk* by delta overlaps an obstacle at q_c, the whole cell is forbidden.
 So a chain of free cells proves a path, and a start cut off by forbidden cells proves that
 there is none; if neither holds the grid is not decisive. Each slice of constant theta is an exact
-Minkowski sum of triangles, taken by shapely; ``ROUNDING`` covers its rounding, about 1e-15 of the
-coordinates.
+Minkowski sum of convex pieces, taken by shapely; ``ROUNDING`` covers its rounding, about 1e-15 of
+the coordinates.
 """
 
 import math
@@ -23,6 +23,7 @@ from shapely.geometry.base import BaseGeometry
 from oracles.scene_shapes import Shapes, shapes
 
 ROUNDING = 1e-9  # added to delta, relative to the domain: a million times shapely's error
+CONVEX = 1e-13  # depth of a dent that counts as rounding, over the perimeter: far below ROUNDING
 ARC_SEGMENTS = 3  # straight pieces for a quarter circle where a corner is rounded by growing
 ARC_FACTOR = 1.0 / math.cos(math.pi / (4 * ARC_SEGMENTS))  # polygonal arc outside the true one
 
@@ -63,6 +64,34 @@ def make_grid(scene: Shapes, step: float) -> Grid:
 def triangles(geometry: BaseGeometry) -> list[BaseGeometry]:
     """Triangles whose union is the geometry."""
     return list(shapely.get_parts(shapely.constrained_delaunay_triangles(geometry)))
+
+
+def convex_pieces(geometry: BaseGeometry) -> list[BaseGeometry]:
+    """Convex polygons whose union is the geometry: triangles, joined where they stay convex.
+
+    A joined piece is a hull that exceeds the triangles by `CONVEX` of its perimeter at most.
+    """
+    if _is_convex(geometry):
+        return [geometry.convex_hull]
+    pieces: list[BaseGeometry] = []
+    for triangle in triangles(geometry):
+        for k, piece in enumerate(pieces):
+            joined = shapely.union(piece, triangle)
+            if _is_convex(joined):
+                pieces[k] = joined.convex_hull
+                break
+        else:
+            pieces.append(triangle)
+    return pieces
+
+
+def _is_convex(geometry: BaseGeometry) -> bool:
+    """Whether a polygon's vertices lie on the boundary of its hull, up to rounding."""
+    if geometry.geom_type != "Polygon" or len(geometry.interiors):
+        return False
+    hull = geometry.convex_hull
+    dent = shapely.hausdorff_distance(geometry.exterior, hull.exterior)
+    return bool(dent <= CONVEX * hull.length)
 
 
 def translational_obstacle(
@@ -112,8 +141,8 @@ def free_cells(
         robot_pieces = [robot.convex_hull]
         obstacles = [shape.convex_hull for shape in scene.obstacles]
     else:
-        robot_pieces = triangles(robot)
-        obstacles = [piece for shape in scene.obstacles for piece in triangles(shape)]
+        robot_pieces = convex_pieces(robot)
+        obstacles = [piece for shape in scene.obstacles for piece in convex_pieces(shape)]
     xx, yy = np.meshgrid(grid.x, grid.y, indexing="ij")
     for k, theta in enumerate(grid.theta):
         here = free[k]

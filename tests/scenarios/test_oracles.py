@@ -8,7 +8,14 @@ import pytest
 import shapely
 
 from oracles.dense_path import check_path, interpolate
-from oracles.grid import flood, free_cells, make_grid, translational_obstacle, triangles
+from oracles.grid import (
+    convex_pieces,
+    flood,
+    free_cells,
+    make_grid,
+    translational_obstacle,
+    triangles,
+)
 from oracles.scene_shapes import shapes
 from scenarios.model import box, polygon, scene
 
@@ -63,6 +70,25 @@ def test_interpolation_keeps_waypoints_and_step() -> None:
     move = np.diff(samples, axis=0)
     step = np.hypot(move[:, 0], move[:, 1]) + 1.5 * np.abs(move[:, 2])
     assert step.max() <= 0.01 * (1.0 + 1e-12)
+
+
+@pytest.mark.parametrize(
+    ("shape", "count"),
+    [
+        (shapely.box(0.0, 0.0, 3.0, 1.0), 1),
+        (shapely.box(0.0, 0.0, 3.0, 1.0).buffer(0.2, quad_segs=3), 1),
+        (shapely.Polygon([(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)]), 2),
+        (shapely.box(0, 0, 3, 3).difference(shapely.box(1, 1, 2, 2)), 4),
+        (shapely.Polygon([(0, 0), (2, 0), (2, 1), (1, 1 - 1e-9), (0, 1)]), 2),  # a shallow dent
+    ],
+)
+def test_convex_pieces_cover_just_the_shape(shape: shapely.Polygon, count: int) -> None:
+    pieces = convex_pieces(shape)
+    assert count <= len(pieces) <= count + 2
+    assert len(pieces) == 1 or count > 1
+    for piece in pieces:
+        assert piece.equals(piece.convex_hull)
+    assert shapely.union_all(pieces).symmetric_difference(shape).area <= 1e-12
 
 
 def test_translational_obstacle_of_two_squares() -> None:

@@ -87,7 +87,7 @@ def measure(family: str, seed: int, pairs: int, *, every: int = 1) -> Deviation:
 def outside(family: str, a: Array, b: Array, depth: float) -> Iterator[tuple[str, float]]:
     """Yield what other libraries say of PD^t, where they may be trusted."""
     sums = (b[:, None, :] - a[None, :, :]).reshape(-1, 2)
-    difference = shapely.MultiPoint(sums).convex_hull
+    difference = shapely.multipoints(sums).convex_hull
     origin = shapely.Point(0, 0)
     distance = float(shapely.boundary(difference).distance(origin))
     yield "shapely", math.copysign(distance, depth)

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any, ClassVar
 
 import numpy as np
+import pytest
 
 from planar_planner import _core
 
@@ -66,7 +67,7 @@ class FakeCore:
         path = np.array([start, goal]) if self.verdict == "path" else np.empty((0, 3))
         return {
             "verdict": self.verdict,
-            "stop_reason": _core.StopReason.CELLS if self.verdict == "undecided" else None,
+            "stop_reason": _core.StopReason.MAX_CELLS if self.verdict == "undecided" else None,
             "ends_moved": False,
             "path": path,
             "stats": STATS.replace(decided_by=DECIDED_BY[self.verdict]),
@@ -74,3 +75,13 @@ class FakeCore:
 
     def least_clearance(self) -> float:
         return float("inf")
+
+
+def refuse_the_real_core(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the real core raise when it is asked: the stand-in then was not in its place."""
+
+    def asked(*_arguments: object, **_limits: object) -> None:
+        raise AssertionError("the real core was asked while a stand-in was planted")
+
+    for question in ("placement", "solve"):
+        monkeypatch.setattr(_core.Core, question, asked)

@@ -10,8 +10,10 @@ from pathlib import Path
 from typing import Any, assert_type
 
 import numpy as np
+from numpy.typing import NDArray
 
 import pdg
+import pdg.grasp
 from planar_planner import (
     Bottleneck,
     Cells,
@@ -116,13 +118,83 @@ def imported(file: Path) -> Scene:
     return load_scene(file, ImportOptions(start=[0.0, 0.0, 0.0]))
 
 
-def depth(body: pdg.ConvexPieces) -> float:
-    """Return the width of a bracket."""
-    found = pdg.bracket(body, [(0, 0), (1, 0), (0, 1)], pose=(0.1, 0.2, 0.3))
-    assert_type(found.lo, float)
-    return found.hi - found.lo
+Floats = NDArray[np.float64]
 
 
+def one_or_many(body: pdg.ConvexPieces, rows: list[tuple[float, float, float]]) -> float:
+    """One configuration gives one result, a sequence of rows gives a batch."""
+    ring = [(0, 0), (1, 0), (0, 1)]
+    found = pdg.generalized_depth_bracket(body, ring, pose=(0.1, 0.2, 0.3))
+    assert_type(found, pdg.DepthBracket)
+    assert_type(found.stop_reason, pdg.StopReason)
+    many = pdg.generalized_depth_bracket(body, ring, rows, timeout=1.0, max_nodes=10)
+    assert_type(many, pdg.DepthBrackets)
+    assert_type(many.lower, Floats)
+    assert_type(many[0], pdg.DepthBracket)
+    assert_type(many[1:], pdg.DepthBrackets)
+    assert_type(next(iter(many)).pose, pdg.Pose)
+    assert_type(pdg.translational_depth(ring, body), pdg.TranslationalDepth)
+    assert_type(pdg.translational_depth(ring, body, rows), pdg.TranslationalDepths)
+    assert_type(pdg.generalized_depth_lower_bound(ring, body, (0, 0, 0)).lower, float)
+    assert_type(pdg.generalized_depth_lower_bound(ring, body, rows), pdg.DepthLowerBounds)
+    upper = pdg.generalized_depth_upper_bound(ring, pdg.convex_separators(body), rows)
+    assert_type(upper.placement.pose, Floats)
+    assert_type(pdg.c_obstacle_query(ring, body, [0.0] * 6).full, bool)
+    assert_type(pdg.c_obstacle_query(ring, body, [[0.0] * 6]).full, NDArray[np.bool_])
+    assert_type(pdg.displacement(ring, (0, 0, 0), (0, 0, 1)), float)
+    assert_type(pdg.displacement(ring, (0, 0, 0), rows), Floats)
+    assert_type(pdg.displacement(ring, rows, (0, 0, 0)), Floats)
+    assert_type(pdg.generalized_distance_bracket(ring, rows, rows), pdg.DistanceBrackets)
+    return found.upper - found.lower
+
+
+def array_of_either_shape(pose: Floats) -> Floats:
+    """The type of an array does not tell (3,) from (n, 3), so the result may be either."""
+    depth = pdg.translational_depth([(0, 0), (1, 0), (0, 1)], "POLYGON((0 0,1 0,0 1,0 0))", pose)
+    assert_type(depth, pdg.TranslationalDepth | pdg.TranslationalDepths)
+    return depth.depth if isinstance(depth, pdg.TranslationalDepths) else np.array([depth.depth])
+
+
+class Drawn:
+    """A geometry of some other package."""
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        return {"type": "Polygon", "coordinates": []}
+
+
+def bodies(array: Floats, wkb: bytes, outline: pdg.GeoInterface) -> list[pdg.ConvexPieces]:
+    """Everything that is a body, and lists of such."""
+    all_of_them: list[pdg.Body] = [
+        array,
+        wkb,
+        outline,
+        Drawn(),
+        {"type": "Polygon", "coordinates": []},
+        [array, array],
+        [[(0, 0), (1, 0), (0, 1)], [(5, 5), (6, 5), (5, 6)]],
+        ["POLYGON EMPTY"],
+    ]
+    return [pdg.convex_pieces(body) for body in all_of_them]
+
+
+def grasp(contacts: list[pdg.grasp.Contact]) -> float:
+    """Sets of wrenches are convex sets, and so are a user's own with a support function."""
+    wrenches = pdg.grasp.grasp_wrench_set(contacts, norm="l1")
+    efficiency = pdg.grasp.force_efficiency(wrenches, pdg.sets.Ball(6), relative_tolerance=0.1)
+    assert_type(efficiency.distance, pdg.PenetrationDistance)
+    assert_type(wrenches.support(np.ones(6)), tuple[float, Floats])
+    assert_type(pdg.grasp.active_wrench_set([]), pdg.grasp.WrenchSet | None)
+    found = pdg.penetration_distance(wrenches, pdg.sets.Ball(6), timeout=1.0)
+    assert_type(found.stop_reason, pdg.StopReason)
+    return efficiency.upper
+
+
+pdg.translational_depth(3, 4)  # type: ignore[call-overload]
+pdg.convex_pieces([1, 2, 3])  # type: ignore[arg-type]
+pdg.c_obstacle_query("", "", [0.0] * 6, "guess")  # type: ignore[call-overload]
+pdg.grasp.force_closure(pdg.sets.Ball(3))  # type: ignore[arg-type]
+_ = pdg.no_such_name  # type: ignore[attr-defined]
 solve(3)  # type: ignore[arg-type]
 Scene(robot=3, start=(0, 0, 0), goal=(1, 1, 0))  # type: ignore[arg-type]
 Scene(robot=[(0, 0), (1, 0), (0, 1)], start=(0, 0, 0))  # type: ignore[call-arg]

@@ -6,23 +6,34 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
+from lib.pictures import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PURPLE,
+    SKY,
+    VERMILION,
+    finish,
+    new_panels,
+    save,
+)
 from parts.ablation.culling import QUERIES, Culling
 from parts.ablation.variants import ABLATIONS, CELLS, Outcome
 
-COLOURS = ("#999999", "#E69F00", "#56B4E9", "#0072B2", "#009E73", "#CC79A7")  # Okabe and Ito
+COLOURS = (GREY, ORANGE, SKY, BLUE, GREEN, PURPLE)  # of the queries, in their order
 FEWEST_CELLS = 30  # in C-obstacle: a ratio of fewer says nothing
 PUBLISHED_RATIO = 75.21
 
 
-def draw(cullings: Sequence[Culling], outcomes: dict[str, list[Outcome]], file: Path) -> None:
-    """Write the picture."""
-    figure = Figure(figsize=(12, 5), layout="constrained")
-    left, right = figure.subplots(1, 2, width_ratios=(3, 2))
+def draw(cullings: Sequence[Culling], outcomes: dict[str, list[Outcome]], name: str) -> Path:
+    """Draw the picture into ``bench/results/``."""
+    figure, (left, right) = new_panels(1, 2, 12, 5, width_ratios=(3, 2))
     _draw_culling(left, [c for c in cullings if c.walk != "search" and c.obstacle >= FEWEST_CELLS])
     _draw_ablations(right, outcomes)
-    figure.savefig(file, dpi=110, metadata={"Software": None})
+    finish(left, right)
+    return save(figure, name)
 
 
 def _draw_culling(axes: Axes, cullings: Sequence[Culling]) -> None:
@@ -37,13 +48,12 @@ def _draw_culling(axes: Axes, cullings: Sequence[Culling]) -> None:
             markersize=5,
             label=label,
         )
-    axes.axhline(PUBLISHED_RATIO, color="#999999", linewidth=0.8, linestyle="--")
-    axes.text(0, PUBLISHED_RATIO + 0.7, "published, their gear", fontsize=7, color="#666666")
+    axes.axhline(PUBLISHED_RATIO, color=GREY, linewidth=0.8, linestyle="--")
+    axes.text(0, PUBLISHED_RATIO + 0.7, "published, their gear", fontsize=7, color=GREY)
     axes.set_xticks(range(len(cullings)), [c.scene for c in cullings], rotation=90, fontsize=7)
     axes.set_ylabel("cells in C-obstacle identified (%)")
     axes.set_title("Cell culling ratio, octree of the published method", fontsize=9)
     axes.legend(frameon=False, fontsize=7, loc="lower right")
-    _plain(axes)
 
 
 def _draw_ablations(axes: Axes, outcomes: dict[str, list[Outcome]]) -> None:
@@ -52,7 +62,7 @@ def _draw_ablations(axes: Axes, outcomes: dict[str, list[Outcome]]) -> None:
     for scene in outcomes.values():
         by_name = {o.variant.name: o for o in scene}
         whole = by_name[CELLS.name]
-        for decided, marker, colour in ((True, "o", "#0072B2"), (False, ">", "#D55E00")):
+        for decided, marker, colour in ((True, "o", BLUE), (False, ">", VERMILION)):
             chosen = [
                 (by_name[name].work / max(whole.work, 1), place)
                 for place, name in enumerate(names)
@@ -68,14 +78,8 @@ def _draw_ablations(axes: Axes, outcomes: dict[str, list[Outcome]]) -> None:
                 linestyle="none",
             )
     axes.set_xscale("log")
-    axes.axvline(1.0, color="#999999", linewidth=0.8)
+    axes.axvline(1.0, color=GREY, linewidth=0.8)
     axes.set_yticks(range(len(names)), names, fontsize=8)
     axes.invert_yaxis()
     axes.set_xlabel("labelled cells, relative (arrows: undecided at the limit)")
     axes.set_title("Without a part: a point for each shipped scene", fontsize=9)
-    _plain(axes)
-
-
-def _plain(axes: Axes) -> None:
-    axes.grid(visible=True, which="major", color="#DDDDDD", linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)

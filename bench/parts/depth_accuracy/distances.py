@@ -48,7 +48,7 @@ def rows(seed: int, count: int) -> Iterator[Row]:
             max(units) <= ALLOWED,
             f"off by up to {max(units):.1f} roundings",
         )
-        bounds = [pdg.generalized_distance_bounds(pieces, q0, q1) for q0, q1 in ends]
+        bounds = [pdg.generalized_distance_bracket(pieces, q0, q1) for q0, q1 in ends]
         widths = [bracket.upper / bracket.lower - 1 for bracket in bounds]
         most = math.sqrt(2 - (2 * math.sin(0.5 * turn) / turn) ** 2) - 1 if turn else 0.0
         yield Row(
@@ -58,7 +58,7 @@ def rows(seed: int, count: int) -> Iterator[Row]:
             statistics.median(widths),
             max(widths),
             *in_microseconds(
-                timed(partial(pdg.generalized_distance_bounds, pieces, *q)) for q in ends[:50]
+                timed(partial(pdg.generalized_distance_bracket, pieces, *q)) for q in ends[:50]
             ),
             min(widths) >= 0
             and all(

@@ -45,7 +45,7 @@ def brackets(pair: Pair, gap: float, limit: float) -> list[Bracket]:
 def lower_bound(pair: Pair, truth: Bracket) -> Row:
     """Return how far our bound is below PD^g; of convex bodies it is PD^g ([PDG] Theorem 1)."""
     first, second = pdg.convex_pieces(pair.moving), pdg.convex_pieces(pair.fixed)
-    depth = pdg.generalized_depth_lower_bound(first, second, pair.pose).depth
+    depth = pdg.generalized_depth_lower_bound(first, second, pair.pose).lower
     error = abs(truth.upper - depth) / truth.upper  # or less: PD^g is not above the upper end
     right = depth <= truth.upper * (1 + ORACLE_ERROR)
     if len(first) == len(second) == 1:

@@ -6,32 +6,26 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
-from lib.provenance import RESULTS
+from lib.pictures import COLOURS as KINDS
+from lib.pictures import GREY, INK, finish, new_panels, save
 from parts.depth_accuracy import generalized, translational
 from parts.depth_accuracy.common import UNIT, Row
 
-# Okabe and Ito
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#999999", "#000000")
+COLOURS = (*KINDS, GREY, INK)
 MARKERS = "osD^v<>P*"
 
 
 def draw(rows: Sequence[Row], name: str) -> Path:
     """Draw both panels into ``bench/results/``."""
-    figure = Figure(figsize=(11, 4.6), layout="constrained")
-    left, right = figure.subplots(1, 2)
+    figure, (left, right) = new_panels(1, 2, 11, 4.6)
     draw_translational(left, [row for row in rows if row.quantity == "PD^t"])
     draw_generalized(right, [row for row in rows if row.quantity == "PD^g"])
     for axes in (left, right):
         axes.set(xscale="log", yscale="log", xlabel="time (µs)", ylabel="relative error")
-        axes.grid(visible=True, which="major", color="#EEEEEE", linewidth=0.6)
-        axes.spines[["top", "right"]].set_visible(False)
         axes.legend(frameon=False, fontsize=7)
-    RESULTS.mkdir(exist_ok=True)
-    file = RESULTS / name
-    figure.savefig(file, dpi=110, metadata={"Software": None})
-    return file
+    finish(left, right)
+    return save(figure, name)
 
 
 def draw_translational(axes: Axes, rows: Sequence[Row]) -> None:

@@ -103,27 +103,27 @@ class Prepared:
 def samples(prepared: Prepared, count: int) -> Iterator[Sample]:
     """Yield the bounds at evenly spaced configurations of the motion."""
     A, B = prepared.moving, prepared.fixed
-    poses = prepared.model.configurations(count)
+    poses: pdg.Rows = prepared.model.configurations(count).tolist()
     lower = pdg.generalized_depth_lower_bound(A, B.pieces, poses)
     first = pdg.generalized_depth_upper_bound(A, B, poses)
     best = pdg.generalized_depth_upper_bound(A, B, poses, method="best")
     second = pdg.generalized_depth_upper_bound(A, B, poses, method="hulls")
-    brackets = pdg.bracket(A, B, poses, TOLERANCE)
-    for k, (x, y, theta) in enumerate(poses.tolist()):
-        free_x, free_y, free_theta = first.displaced_pose[k].tolist()
+    brackets = pdg.generalized_depth_bracket(A, B, poses, TOLERANCE)
+    for k, (x, y, theta) in enumerate(poses):
+        free_x, free_y, free_theta = first.placement.pose[k].tolist()
         yield Sample(
             prepared.model.name,
             k / (count - 1),
             x,
             y,
             theta,
-            float(lower.depth[k]),
-            float(brackets.lo[k]),
-            float(brackets.hi[k]),
-            float(best.displacement[k]),
-            float(first.displacement[k]),
-            float(second.displacement[k]),
-            str(first.source[k, 0]),
+            float(lower.lower[k]),
+            float(brackets.lower[k]),
+            float(brackets.upper[k]),
+            float(best.upper[k]),
+            float(first.upper[k]),
+            float(second.upper[k]),
+            str(first.placement.source[k]),
             free_x,
             free_y,
             free_theta,
@@ -148,7 +148,9 @@ def cost(prepared: Prepared, count: int) -> Cost:
         *milliseconds(lambda: pdg.generalized_depth_lower_bound(A, B.pieces, poses)),
         *milliseconds(lambda: pdg.generalized_depth_upper_bound(A, B, poses)),
         *milliseconds(lambda: pdg.generalized_depth_upper_bound(A, B, poses, method="hulls")),
-        *_milliseconds([_once(partial(pdg.bracket, A, B, q, TOLERANCE)) for q in poses]),
+        *_milliseconds(
+            [_once(partial(pdg.generalized_depth_bracket, A, B, q, TOLERANCE)) for q in poses]
+        ),
     )
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from lib.bisection import bisect
 from planar_planner import Options, Planner, verify_certificate
 from scenarios import gear
 from worlds.critical import Family
@@ -29,16 +30,8 @@ def gears(width: float = NARROWEST) -> Family:
     CertificateRejected
         If the checker does not accept a certificate.
     """
-    blocked, passing = gear.JAMMED_GAP, gear.PATH_GAP
-    while passing - blocked > width:
-        middle = 0.5 * (blocked + passing)
-        verdict = Planner(plain(gear.gear(middle))).solve(options=FINE).verdict
-        if verdict == "path":
-            passing = middle
-        elif verdict == "no_path":
-            blocked = middle
-        else:
-            raise RuntimeError(f"gear: undecided at {middle!r}")
+    found = bisect(gear.gear, gear.JAMMED_GAP, gear.PATH_GAP, width, repetitions=1, options=FINE)
+    blocked, passing = found.blocked, found.passing
     for gap, expected in ((blocked, "no_path"), (passing, "path")):
         scene = plain(gear.gear(gap))
         result = Planner(scene).solve(options=FINE, certificate=True)

@@ -11,24 +11,24 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from lib.provenance import RESULTS
+from lib.pictures import COLOURS as KINDS
+from lib.pictures import GREY, PALE, VERDICT_COLOURS, finish, new_panels, save
+from lib.pictures import OURS as OURS_COLOUR
+from lib.tables import MS
 from parts.error_time.curves import Step, decided, error_curve, logarithmic_law
 from parts.error_time.sweep import OURS, Point
-from parts.error_time.tables import GOAL_ERROR, GOAL_SECONDS, LARGEST, MS, SMALLEST, names, of
+from parts.error_time.tables import GOAL_ERROR, GOAL_SECONDS, LARGEST, SMALLEST, names, of
 from worlds.critical import SIDES
 
 COLUMNS = 4
-# Okabe and Ito, told apart by colour-blind readers too; then dashes.
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#999999")
+COLOURS = (*KINDS, GREY)  # then dashes
 DASHES = ("-", "--", ":")
-SIDE_COLOURS = {"path": "#0072B2", "no_path": "#D55E00"}
-GOAL_COLOUR = "#DDDDDD"
 
 
 def style(planner: str, others: Sequence[str]) -> dict[str, object]:
     """Return how a planner's line looks: ours black and thick."""
     if planner == OURS:
-        return {"color": "black", "linewidth": 2.2, "zorder": 3}
+        return {"color": OURS_COLOUR, "linewidth": 2.2, "zorder": 3}
     k = list(others).index(planner)
     colour = COLOURS[k % len(COLOURS)]
     return {"color": colour, "linestyle": DASHES[k // len(COLOURS)], "linewidth": 1.3}
@@ -37,13 +37,11 @@ def style(planner: str, others: Sequence[str]) -> dict[str, object]:
 def panels(count: int, height: float = 2.6) -> tuple[Figure, list[Axes]]:
     """Return a figure of so many panels; what is left of its last row stays empty."""
     rows = -(-count // COLUMNS)
-    figure = Figure(figsize=(3.4 * min(COLUMNS, count), height * rows + 0.7), layout="constrained")
-    axes = figure.subplots(rows, min(COLUMNS, count), squeeze=False).ravel().tolist()
+    columns = min(COLUMNS, count)
+    figure, axes = new_panels(rows, columns, 3.4 * columns, height * rows + 0.7)
     for spare in axes[count:]:
         spare.remove()
-    for each in axes[:count]:
-        each.grid(visible=True, which="major", color="#EEEEEE", linewidth=0.6)
-        each.spines[["top", "right"]].set_visible(False)
+    finish(*axes[:count])
     return figure, axes[:count]
 
 
@@ -65,8 +63,8 @@ def error_picture(points: Sequence[Point], planners: Sequence[str], name: str) -
         curves = {p: error_curve(of(points, family=family, planner=p)) for p in (OURS, *planners)}
         times = [step.seconds for curve in curves.values() for step in curve]
         end = 2.0 * max(times, default=1.0)
-        panel.axhline(GOAL_ERROR, color=GOAL_COLOUR, linewidth=1.0, zorder=0)
-        panel.axvline(MS * GOAL_SECONDS, color=GOAL_COLOUR, linewidth=1.0, zorder=0)
+        panel.axhline(GOAL_ERROR, color=PALE, linewidth=1.0, zorder=0)
+        panel.axvline(MS * GOAL_SECONDS, color=PALE, linewidth=1.0, zorder=0)
         for planner, curve in curves.items():
             draw_curve(panel, curve, end, planner, **style(planner, planners))
         panel.set(xscale="log", yscale="log", title=family, ylim=(3e-13, 0.5))
@@ -91,7 +89,7 @@ def cells_picture(points: Sequence[Point], name: str) -> Path:
             if not chosen:
                 continue
             decades = [-math.log10(p.distance) for p in chosen]
-            colour = SIDE_COLOURS[side]
+            colour = VERDICT_COLOURS[side]
             label = side.replace("_", " ")
             fitted = [p for p in chosen if p.distance > 0.99 * SMALLEST]
             law = logarithmic_law(fitted, LARGEST)
@@ -104,11 +102,3 @@ def cells_picture(points: Sequence[Point], name: str) -> Path:
     figure.supxlabel("log10 of 1 / relative distance from critical")
     figure.supylabel("cells")
     return save(figure, name)
-
-
-def save(figure: Figure, name: str) -> Path:
-    """Write a picture into ``bench/results/``."""
-    RESULTS.mkdir(exist_ok=True)
-    file = RESULTS / name
-    figure.savefig(file, dpi=110, metadata={"Software": None})
-    return file

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 
+from lib.tables import MS, figures
 from parts.error_time.curves import (
     Law,
     decided,
@@ -17,7 +18,6 @@ from parts.error_time.curves import (
 from parts.error_time.sweep import OURS, Point
 from worlds.critical import SIDES
 
-MS = 1e3
 LARGEST = 0.1  # distances from here on are fitted ...
 SMALLEST = 1e-9  # ... down to here; nearer to the rounding floor of doubles another law begins
 TIMES = (0.001, 0.01, 0.05, 0.5, 5.0)
@@ -42,11 +42,10 @@ def names(points: Iterable[Point], key: str) -> list[str]:
 def rows_of_points(points: Iterable[Point]) -> Iterator[tuple[object, ...]]:
     """Yield the rows of the table of all points."""
     for p in points:
-        times = (p.seconds.median, p.seconds.lower, p.seconds.upper, p.wall.median)
         yield (
             *(p.family, p.planner, p.side, repr(p.parameter), f"{p.distance:.3e}"),
-            *(f"{p.decided:g}", f"{p.count:g}", *(f"{MS * t:.4g}" for t in times)),
-            *(p.seconds.count, p.note),
+            *(f"{p.decided:g}", f"{p.count:g}", *figures(p.seconds)),
+            *(f"{MS * p.wall.median:.4g}", p.seconds.count, p.note),
         )
 
 
@@ -104,12 +103,3 @@ def rows_of_errors(points: Sequence[Point]) -> Iterator[tuple[str, ...]]:
                 f"{curve[-1].error:.0e}" if curve else "-",
                 *_shown(power_law(of(chosen, side="path"), LARGEST, "count"), ".2f"),
             )
-
-
-def show(title: str, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-    """Print a table with columns as wide as needed."""
-    table = [tuple(header), *(tuple(row) for row in rows)]
-    widths = [max(len(row[k]) for row in table) for k in range(len(header))]
-    print(f"\n{title}")
-    for row in table:
-        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)))

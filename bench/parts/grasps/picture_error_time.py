@@ -6,12 +6,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from matplotlib.figure import Figure
-
-from lib.provenance import RESULTS
+from lib.pictures import OURS as OURS_COLOUR
+from lib.pictures import VERMILION, finish, new_panels, save
 
 OURS = "ours, eps"
-COLOURS = ("black", "#D55E00")
+COLOURS = (OURS_COLOUR, VERMILION)
 SMALLEST = 1e-12  # errors below are rounding of the true value
 
 
@@ -41,8 +40,7 @@ class Row(NamedTuple):
 def draw(rows: Sequence[Row], name: str) -> Path:
     """Draw the largest errors as lines and the medians as dots."""
     counts = sorted({row.contacts for row in rows})
-    figure = Figure(figsize=(3.3 * len(counts), 3.8), layout="constrained")
-    panels = figure.subplots(1, len(counts), sharey=True, squeeze=False)[0]
+    figure, panels = new_panels(1, len(counts), 3.3 * len(counts), 3.8, sharey=True)
     for axes, count in zip(panels, counts, strict=True):
         for is_ours, colour in zip((True, False), COLOURS, strict=True):
             chosen = [
@@ -80,11 +78,7 @@ def draw(rows: Sequence[Row], name: str) -> Path:
                         color=colour,
                     )
         axes.set(xscale="log", yscale="log", xlabel="time (ms)", title=f"{count} contacts")
-        axes.grid(visible=True, which="major", color="#EEEEEE", linewidth=0.6)
-        axes.spines[["top", "right"]].set_visible(False)
     panels[0].set_ylabel("relative error of d$_Q$(W)")
     panels[0].legend(frameon=False, fontsize=7)
-    RESULTS.mkdir(exist_ok=True)
-    file = RESULTS / name
-    figure.savefig(file, dpi=110, metadata={"Software": None})
-    return file
+    finish(*panels)
+    return save(figure, name)

@@ -7,12 +7,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from lib.provenance import RESULTS
+from lib.pictures import BLUE, GREEN, VERMILION, new_panels, save
 
-LOWER, UPPER, TIME = "#0072B2", "#D55E00", "#009E73"
+LOWER, UPPER, TIME = BLUE, VERMILION, GREEN
 
 
 class Growth(NamedTuple):
@@ -44,9 +43,10 @@ class Growth(NamedTuple):
 def draw(runs: Sequence[Growth], name: str) -> Path:
     """Draw a panel a run; the published figure has the same two curves."""
     columns = (len(runs) + 1) // 2
-    figure = Figure(figsize=(3.7 * columns, 6.2), layout="constrained")
-    for k, run in enumerate(runs):
-        axes = figure.add_subplot(2, columns, k + 1)
+    figure, panels = new_panels(2, columns, 3.7 * columns, 6.2)
+    for spare in panels[len(runs) :]:
+        spare.remove()
+    for k, (axes, run) in enumerate(zip(panels, runs, strict=False)):
         axes.plot(run.upper, color=UPPER, linewidth=1, label="upper bound")
         axes.plot(run.lower, color=LOWER, linewidth=1.5, label="$d_k$, lower bound")
         top = 2 * float(run.lower[-1])
@@ -70,7 +70,4 @@ def draw(runs: Sequence[Growth], name: str) -> Path:
         )
         if k == 0:
             axes.legend(frameon=False, fontsize=8, loc="upper left", bbox_to_anchor=(0.2, 1.0))
-    RESULTS.mkdir(exist_ok=True)
-    file = RESULTS / name
-    figure.savefig(file, dpi=110, metadata={"Software": None})
-    return file
+    return save(figure, name)

@@ -13,10 +13,10 @@ from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
-from lib.provenance import RESULTS
+from lib.pictures import BLUE, VERMILION, save
 from pdg.sets import ConvexSet
 
-OUTER, INNER = "#0072B2", "#D55E00"
+OUTER, INNER = BLUE, VERMILION
 SHARP = 0.9  # cosine of the angle between normals from which an edge is drawn
 AXES = ("$f_x$", "$f_z$", "$\\tau_y$")
 
@@ -46,10 +46,7 @@ def draw(panels: Sequence[tuple[str, ConvexSet, ConvexSet, float]], name: str) -
         axes.view_init(elev=22, azim=-62)
         axes.tick_params(labelsize=6, pad=-3)
         axes.set_title(title, fontsize=10, y=0.86)
-    RESULTS.mkdir(exist_ok=True)
-    file = RESULTS / name
-    figure.savefig(file, dpi=110, metadata={"Software": None})
-    return file
+    return save(figure, name)
 
 
 def surface(inner: ConvexSet, count: int = 1500) -> NDArray[np.float64]:

@@ -6,25 +6,20 @@ import math
 from collections.abc import Sequence
 from pathlib import Path
 
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-
+from lib.pictures import COLOURS, GREY, INK, OURS, finish, new_panels, save
 from parts.ompl.table import SOUND, Entry
 from planar_planner.ompl.comparison import spread
-from planar_planner.pictures.comparison import COLOURS, OURS
 
 MS = 1e3
 ROW_HEIGHT = 0.28  # inches
 MARKERS = {"wheel": "o", "native": "D"}
 
 
-def draw(found: Sequence[Entry], limit: float, file: Path) -> None:
+def draw(found: Sequence[Entry], limit: float, name: str) -> Path:
     """Draw medians, a row a scene. Hollow: less than 95 % of the planner's paths are sound."""
     scenes = list(dict.fromkeys(entry.scene for entry in found))
     planners = list(dict.fromkeys(e.planner for e in found if e.source != "ours"))
-    figure = Figure(figsize=(9.0, 1.6 + ROW_HEIGHT * len(scenes)), layout="constrained")
-    FigureCanvasAgg(figure)
-    axes = figure.add_subplot()
+    figure, (axes,) = new_panels(1, 1, 9.0, 1.6 + ROW_HEIGHT * len(scenes))
     ceiling = 1.6 * MS * limit
     for entry in found:
         time = min(MS * spread(entry.seconds).median, ceiling)
@@ -42,20 +37,19 @@ def draw(found: Sequence[Entry], limit: float, file: Path) -> None:
             markersize=5,
             markerfacecolor=colour if entry.sound >= SOUND else "none",
         )
-    axes.axvline(MS * limit, color="#888888", linewidth=0.8, linestyle="--")
+    axes.axvline(MS * limit, color=GREY, linewidth=0.8, linestyle="--")
     axes.set_xscale("log")
     axes.set_xlabel(
         "median time to the first solution, with preparation (ms); crosses: not within the limit"
     )
     axes.set_yticks(range(len(scenes)), scenes, fontsize="small")
     axes.invert_yaxis()
-    axes.grid(color="#E5E5E5")
-    axes.set_axisbelow(True)
+    finish(axes)
     axes.plot([], [], "*", color=OURS, markersize=9, label="ours, certified")
     for k, planner in enumerate(planners):
         axes.plot([], [], "s", color=COLOURS[k % len(COLOURS)], label=planner)
-    axes.plot([], [], "o", color="#444444", label="wheel, check through Python")
-    axes.plot([], [], "D", color="#444444", label="native")
-    axes.plot([], [], "o", color="#444444", markerfacecolor="none", label="< 95 % of paths sound")
+    axes.plot([], [], "o", color=INK, label="wheel, check through Python")
+    axes.plot([], [], "D", color=INK, label="native")
+    axes.plot([], [], "o", color=INK, markerfacecolor="none", label="< 95 % of paths sound")
     figure.legend(loc="outside right upper", fontsize="small")
-    figure.savefig(file, dpi=110, metadata={"Software": None})
+    return save(figure, name)

@@ -7,12 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
+from lib.pictures import COLOURS, finish, new_panels, save
 from parts.scale.repeated import Repeated
 
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")  # Okabe and Ito
 Points = Sequence[tuple[float, Mapping[str, Any]]]
 HEADROOM = 5.0  # above the curves, for the legend
 PANELS = (  # title, families by the beginning of their names
@@ -27,15 +26,16 @@ QUANTITIES: tuple[tuple[str, Callable[[Mapping[str, Any]], float]], ...] = (
 )
 
 
-def draw(found: Mapping[str, Points], repeats: Sequence[Repeated], file: Path) -> None:
-    """Write the picture: time above, work below; repeated queries on the right."""
-    figure = Figure(figsize=(17, 6.4), layout="constrained")
-    grid = figure.subplots(2, len(PANELS) + 1)
+def draw(found: Mapping[str, Points], repeats: Sequence[Repeated], name: str) -> Path:
+    """Draw into ``bench/results/``: time above, work below; repeated queries on the right."""
+    columns = len(PANELS) + 1
+    figure, panels = new_panels(2, columns, 17, 6.4)
+    grid = (panels[:columns], panels[columns:])
     for column, (title, prefixes) in enumerate(PANELS):
-        names = [name for name in found if name.startswith(prefixes)]
+        names = [family for family in found if family.startswith(prefixes)]
         for row, (label, quantity) in enumerate(QUANTITIES):
             axes = grid[row][column]
-            _draw_growth(axes, {name: found[name] for name in names}, quantity)
+            _draw_growth(axes, {family: found[family] for family in names}, quantity)
             axes.set_ylabel(label)
             axes.set_xlabel(title)
         low, high = grid[0][column].get_ylim()
@@ -44,7 +44,8 @@ def draw(found: Mapping[str, Points], repeats: Sequence[Repeated], file: Path) -
     _draw_repeated(grid[0][-1], repeats, [lambda r: r.kept, lambda r: r.fresh])
     grid[0][-1].set_ylabel("time of a query (ms)\nsolid: kept planner, dotted: fresh ones")
     _draw_cells(grid[1][-1], repeats)
-    figure.savefig(file, dpi=100, metadata={"Software": None})
+    finish(*panels)
+    return save(figure, name)
 
 
 def _draw_growth(
@@ -65,7 +66,6 @@ def _draw_growth(
         )
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.yaxis.set_minor_formatter(NullFormatter())
-    _plain(axes)
 
 
 def _draw_repeated(
@@ -76,7 +76,6 @@ def _draw_repeated(
             times = [1e3 * t for t in of(each)]
             axes.semilogy(range(1, len(times) + 1), times, style, color=colour, label=each.scene)
     axes.set_xlabel("number of the query")
-    _plain(axes)
 
 
 def _draw_cells(axes: Axes, repeats: Sequence[Repeated]) -> None:
@@ -85,9 +84,3 @@ def _draw_cells(axes: Axes, repeats: Sequence[Repeated]) -> None:
     axes.set_xlabel("number of the query")
     axes.set_ylabel("cells of the kept planner")
     axes.legend(frameon=False, fontsize=7)
-    _plain(axes)
-
-
-def _plain(axes: Axes) -> None:
-    axes.grid(visible=True, which="major", color="#DDDDDD", linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)

@@ -1,4 +1,5 @@
-// What every file of bindings shares: array types, and plain tuples to and from the core's structs.
+// Every file of bindings shares these array types and conversions of plain tuples to and from the
+// core's structs.
 #pragma once
 
 #include <nanobind/nanobind.h>

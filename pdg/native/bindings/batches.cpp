@@ -1,4 +1,4 @@
-// Many poses or cells in one call, without the interpreter's lock.
+// Functions of many poses or cells in one call, without the interpreter's lock.
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/tuple.h>
@@ -32,7 +32,7 @@ using BoundRows = nb::ndarray<nb::numpy, double, nb::shape<-1, 4>>;
 using DepthRows = nb::ndarray<nb::numpy, double, nb::shape<-1, 7>>;
 using IndexPairs = nb::ndarray<nb::numpy, std::int32_t, nb::shape<-1, 2>>;
 
-// State, and (depth, direction, on_a, on_b) of each row.
+// The state of each row, and its (depth, direction, on_a, on_b).
 struct DepthColumns {
   std::vector<std::uint8_t> states;
   std::vector<double> rows;
@@ -118,7 +118,7 @@ auto displacements(const pdg::PieceSet& body, const Poses& from, const Poses& to
   return to_array<double, Lengths>(std::move(lengths), {count});
 }
 
-// (lower, upper, centre) of each row.
+// Returns (lower, upper, centre) of each row.
 auto generalized_distance_bounds(const pdg::PieceSet& body, const Poses& from, const Poses& to) {
   if (from.shape(0) != to.shape(0)) throw nb::value_error("q0 and q1 differ in length");
   const std::size_t count = from.shape(0);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
@@ -17,6 +16,7 @@
 #include "rows.hpp"
 #include "separators.hpp"
 #include "subjects.hpp"
+#include "watch.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -24,33 +24,9 @@ using namespace nb::literals;
 namespace pdg::python {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 using Numbers = nb::ndarray<nb::numpy, double, nb::shape<-1, 9>>;
 using Counts = nb::ndarray<nb::numpy, std::uint64_t, nb::shape<-1, 2>>;
 using Ends = nb::ndarray<nb::numpy, std::uint8_t, nb::shape<-1>>;
-
-// Whether one pose's time is over. Between nodes, over all poses, Python may handle a signal.
-class Watch {
- public:
-  explicit Watch(const double seconds) : seconds_(seconds) {}
-
-  void begin() { begin_ = Clock::now(); }
-
-  bool over() {
-    if (++asked_ % kNodesBetweenSignals == 0) {
-      const nb::gil_scoped_acquire acquire;
-      if (PyErr_CheckSignals() != 0) throw nb::python_error();
-    }
-    return std::chrono::duration<double>(Clock::now() - begin_).count() >= seconds_;
-  }
-
- private:
-  static constexpr std::uint64_t kNodesBetweenSignals = 256;
-  double seconds_;
-  Clock::time_point begin_;
-  std::uint64_t asked_ = 0;
-};
 
 std::array<double, 9> numbers_of(const pdg::Bracket& found) {
   const pdg::Pose& p = found.displaced.pose;
@@ -60,18 +36,19 @@ std::array<double, 9> numbers_of(const pdg::Bracket& found) {
           q.theta};
 }
 
-// Without the interpreter's lock. Of each row (lower, displacement, its pose, distance, its pose),
-// (nodes, slices) and the end; `seconds` and `nodes` are for each pose.
+// Brackets the depth of each pose, without the interpreter's lock. Returns the first row that is
+// out of range, or -1, and for each row (lower, displacement, its pose, distance, its pose),
+// (nodes, slices) and the end. `timeout` and `max_nodes` are for each pose.
 auto bracket_depths(const pdg::PieceSet& a, const pdg::PieceSet& b, const SeparatorSet* separators,
-                    const Poses& poses, const double rel_tol, const double seconds,
-                    const std::uint64_t nodes) {
+                    const Poses& poses, const double relative_tolerance, const double timeout,
+                    const std::uint64_t max_nodes) {
   const std::size_t count = poses.shape(0);
   std::vector<double> numbers(9 * count);
   std::vector<std::uint64_t> counts(2 * count);
   std::vector<std::uint8_t> ends(count);
   const std::vector<pdg::ConvexSeparator> none;
-  Watch watch(seconds);
-  const pdg::BracketLimits limits{rel_tol, nodes, [&] { return watch.over(); }};
+  Watch watch(timeout);
+  const pdg::BracketLimits limits{relative_tolerance, max_nodes, [&] { return watch.over(); }};
   const std::int64_t bad = for_each_row(count, [&](const std::size_t row) {
     watch.begin();
     const pdg::Bracket found = pdg::bracket_depth(
@@ -91,7 +68,7 @@ auto bracket_depths(const pdg::PieceSet& a, const pdg::PieceSet& b, const Separa
 
 void bind_bracket(nb::module_& m) {
   m.def("bracket_depths", &bracket_depths, "a"_a, "b"_a, "separators"_a.none(), "poses"_a,
-        "rel_tol"_a, "seconds"_a, "nodes"_a);
+        "relative_tolerance"_a, "timeout"_a, "max_nodes"_a);
 }
 
 }  // namespace pdg::python

@@ -4,7 +4,6 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <tuple>
@@ -13,6 +12,7 @@
 #include "pdg/native/convex_sets/convex_set.hpp"
 #include "pdg/native/penetration_distance/penetration_distance.hpp"
 #include "subjects.hpp"
+#include "watch.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -20,38 +20,16 @@ using namespace nb::literals;
 namespace pdg::python {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Step = std::tuple<double, double, std::size_t>;
-
-// Whether the time is over; every so often Python may handle a signal, so that Ctrl-C works.
-class Watch {
- public:
-  explicit Watch(const double seconds) : seconds_(seconds) {}
-
-  bool over() {
-    const Clock::time_point now = Clock::now();
-    if (now - last_signals_ > std::chrono::milliseconds(50)) {
-      last_signals_ = now;
-      const nb::gil_scoped_acquire acquire;
-      if (PyErr_CheckSignals() != 0) throw nb::python_error();
-    }
-    return std::chrono::duration<double>(now - start_).count() > seconds_;
-  }
-
- private:
-  double seconds_;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_signals_ = start_;
-};
 
 }  // namespace
 
 void bind_distance(nb::module_& m) {
   m.def(
       "penetration_distance",
-      [](const SetPointer& a, const SetPointer& q, const double absolute_gap,
-         const double relative_gap, const std::size_t iterations, const std::size_t facets,
-         const double seconds, const bool history) {
+      [](const SetPointer& a, const SetPointer& q, const double absolute_tolerance,
+         const double relative_tolerance, const std::size_t max_iterations,
+         const std::size_t max_facets, const double timeout, const bool history) {
         if (a->dimension() != q->dimension()) {
           throw nb::value_error("the sets must have one dimension");
         }
@@ -59,12 +37,12 @@ void bind_distance(nb::module_& m) {
         PenetrationDistance d;
         {
           const nb::gil_scoped_release release;
-          Watch watch(seconds);
+          Watch watch(timeout);
           const auto note = [&](const DistanceStep& step) {
             steps.emplace_back(step.lower, step.upper, step.facets);
           };
           d = penetration_distance(
-              *a, *q, {absolute_gap, relative_gap, iterations, facets},
+              *a, *q, {absolute_tolerance, relative_tolerance, max_iterations, max_facets},
               [&] { return watch.over(); },
               history ? std::function<void(const DistanceStep&)>(note) : nullptr);
         }
@@ -78,8 +56,8 @@ void bind_distance(nb::module_& m) {
                           d.facets,
                           steps};
       },
-      "a"_a, "q"_a, "absolute_gap"_a, "relative_gap"_a, "iterations"_a, "facets"_a, "seconds"_a,
-      "history"_a);
+      "a"_a, "q"_a, "absolute_tolerance"_a, "relative_tolerance"_a, "max_iterations"_a,
+      "max_facets"_a, "timeout"_a, "history"_a);
   m.def(
       "upper_bound_along",
       [](const SetPointer& a, const SetPointer& q, const std::vector<double>& u) {

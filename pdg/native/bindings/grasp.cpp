@@ -14,7 +14,7 @@ using namespace nb::literals;
 namespace pdg::python {
 namespace {
 
-// (contacts, 1 + axes, dimension): per contact the centre, then the axes.
+// Shape (contacts, 1 + axes, dimension): the rows of a contact are its centre, then its axes.
 using Columns = nb::ndarray<const double, nb::shape<-1, -1, -1>, nb::c_contig, nb::device::cpu>;
 
 }  // namespace

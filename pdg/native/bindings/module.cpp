@@ -6,9 +6,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
-#include <array>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -84,17 +82,16 @@ void bind_motions(nb::module_& m) {
       "half"_a, "radius"_a);
 }
 
-// What is wrong with a polygon and where, if anything is.
-std::optional<std::string> complaint(const pdg::Polygon& polygon) {
+// The polygon's index, what is wrong with it, and where, if there is such a place.
+using FoundDefect = std::tuple<std::size_t, std::string, std::optional<Pair>>;
+
+std::optional<FoundDefect> defect_of(const pdg::Polygon& polygon, const std::size_t index) {
   try {
     const std::optional<pdg::Defect> defect = pdg::find_defect(polygon);
     if (!defect) return std::nullopt;
-    std::array<char, 64> place{};
-    std::snprintf(place.data(), place.size(), " at (%.15g, %.15g)", defect->where.x,
-                  defect->where.y);
-    return defect->what + std::string(place.data());
+    return FoundDefect{index, defect->what, to_pair(defect->where)};
   } catch (const std::invalid_argument& error) {
-    return error.what();
+    return FoundDefect{index, error.what(), std::nullopt};
   }
 }
 
@@ -102,11 +99,11 @@ void bind_validity(nb::module_& m) {
   m.def(
       "first_defect",
       [](const Coords& coords, const Starts& ring_starts,
-         const Starts& polygon_starts) -> std::optional<std::tuple<std::size_t, std::string>> {
+         const Starts& polygon_starts) -> std::optional<FoundDefect> {
         const std::vector<pdg::Polygon> polygons = to_polygons(coords, ring_starts, polygon_starts);
         const nb::gil_scoped_release release;
         for (std::size_t p = 0; p < polygons.size(); ++p) {
-          if (auto found = complaint(polygons[p])) return std::tuple{p, *std::move(found)};
+          if (auto found = defect_of(polygons[p], p)) return found;
         }
         return std::nullopt;
       },

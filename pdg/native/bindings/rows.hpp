@@ -1,4 +1,4 @@
-// Work on the rows of an array, without the interpreter's lock.
+// Loops over the rows of an array without the interpreter's lock.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -16,11 +16,11 @@ namespace nb = nanobind;
 
 using Poses = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 
-// Rows between two looks at signals, so that Ctrl-C ends a long batch.
+// Python handles signals each time that so many rows are done, so that Ctrl-C ends a long batch.
 inline constexpr std::size_t kRowsBetweenSignals = 4096;
 
-// Calls work(row) for each row without the interpreter's lock. The row at which it threw
-// std::invalid_argument, or -1.
+// Calls work(row) for each row without the interpreter's lock. Returns the row at which it threw
+// std::invalid_argument, which ends the loop, or -1.
 template <class Work>
 std::int64_t for_each_row(const std::size_t rows, const Work& work) {
   const nb::gil_scoped_release release;

@@ -1,4 +1,4 @@
-// The class that Python holds a body's convex separators by.
+// The class by which Python holds a body's convex separators.
 #pragma once
 
 #include <vector>

@@ -37,7 +37,8 @@ Matrix to_matrix(const Rows& m) {
   return {m.shape(0), m.shape(1), {m.data(), m.data() + m.size()}};
 }
 
-// A Python callable u -> (h(u), s(u)), checked on its Python side. The slow way.
+// A set that asks a Python callable u -> (h(u), s(u)), whose answers its Python side checks. Each
+// question takes the interpreter's lock, which is slow.
 class PythonSet final : public ConvexSet {
  public:
   PythonSet(nb::callable support, std::vector<double> magnitude, std::vector<double> error)

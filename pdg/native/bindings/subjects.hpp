@@ -1,4 +1,4 @@
-// One file of bindings a subject; bindings.cpp calls each once.
+// Each file of bindings binds one subject; module.cpp calls each of these functions once.
 #pragma once
 
 #include <nanobind/nanobind.h>

@@ -46,7 +46,7 @@ std::array<std::int32_t, 7> codes_of(const pdg::DepthUpperBound& bound) {
           bound.placements};
 }
 
-// By the hulls alone without separators; `draw_back` needs them.
+// Without separators the bound is that of the convex hulls alone; `draw_back` needs separators.
 auto upper_bounds(const pdg::PieceSet& a, const pdg::PieceSet& b, const SeparatorSet* separators,
                   const Poses& poses, const bool draw_back) {
   const std::size_t count = poses.shape(0);

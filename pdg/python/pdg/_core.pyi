@@ -32,9 +32,9 @@ def bracket_depths(
     b: PieceSet,
     separators: SeparatorSet | None,
     poses: NDArray[np.float64],
-    rel_tol: float,
-    seconds: float,
-    nodes: int,
+    relative_tolerance: float,
+    timeout: float,
+    max_nodes: int,
 ) -> tuple[int, NDArray[np.float64], NDArray[np.uint64], NDArray[np.uint8]]: ...
 def generalized_depth_lower_bound(
     a: PieceSet, b: PieceSet, pose: _Triple
@@ -75,7 +75,7 @@ def first_defect(
     coords: NDArray[np.float64],
     ring_starts: NDArray[np.uint32],
     polygon_starts: NDArray[np.uint32],
-) -> tuple[int, str] | None: ...
+) -> tuple[int, str, _Pair | None] | None: ...
 
 class ConvexSet:
     @property
@@ -107,11 +107,11 @@ def python_set(
 def penetration_distance(
     a: ConvexSet,
     q: ConvexSet,
-    absolute_gap: float,
-    relative_gap: float,
-    iterations: int,
-    facets: int,
-    seconds: float,
+    absolute_tolerance: float,
+    relative_tolerance: float,
+    max_iterations: int,
+    max_facets: int,
+    timeout: float,
     history: bool,
 ) -> tuple[
     int,

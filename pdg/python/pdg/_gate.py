@@ -3,53 +3,62 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Sequence
+from typing import TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core
-from pdg._constants import (
+from pdg.errors import BodyError, PdgError, PlacementError
+from pdg.tolerances import (
     MAX_SET_COORDINATE,
     MIN_SET_COORDINATE,
     MOST_COUNTED,
     MOST_DIMENSIONS,
 )
-from pdg.errors import PdgError
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+Kind = TypeVar("Kind", bound=str)
+Item = TypeVar("Item")
 Triple = tuple[float, float, float]
+
+LEAST_VERTICES = 3
+"""Of a ring."""
+
+HERE: Triple = (0.0, 0.0, 0.0)
+"""The configuration of a body that stays as it is."""
 
 
 def ring(value: object, name: str) -> NDArray[np.float64]:
     """Return the ring as an (n, 2) array without a repeated last or consecutive vertex."""
-    points = numbers(value, name)
+    try:
+        points = numbers(value, name)
+    except PdgError as error:
+        raise BodyError(error.problem, name, value=value) from error
     if points.ndim != 2 or points.shape[1] != 2:
-        raise PdgError("a ring is an array of shape (n, 2)", name, value=points.shape)
-    magnitude = np.abs(points)
-    # Negated, so that NaN fails too.
-    sane = (magnitude == 0) | (
-        (magnitude >= _core.MIN_COORDINATE) & (magnitude <= _core.MAX_COORDINATE)
-    )
+        raise BodyError("a ring is an array of shape (n, 2)", name, value=points.shape)
+    sane = in_range(points)
     if not sane.all():
         row = int(np.flatnonzero(~sane.all(axis=1))[0])
         problem = (
             "coordinates must be finite, and 0 or between "
             f"{_core.MIN_COORDINATE:.3g} and {_core.MAX_COORDINATE:.3g} in magnitude"
         )
-        raise PdgError(problem, name, row, points[row].tolist())
+        raise BodyError(problem, name, row, points[row].tolist())
     if len(points):
         points = points[np.any(points != np.roll(points, 1, axis=0), axis=1)]
-    if len(np.unique(points, axis=0)) < 3:
-        raise PdgError("a ring needs at least three distinct points", name, value=len(points))
+    if len(np.unique(points, axis=0)) < LEAST_VERTICES:
+        raise BodyError("a ring needs at least three distinct points", name, value=len(points))
     return np.ascontiguousarray(points)
 
 
-def triple(value: object, name: str) -> Triple:
-    """Return three finite numbers (x, y, theta): lengths in any one unit, and radians."""
-    x, y, theta = _vector(numbers(value, name), name, 3, "(x, y, theta)")
-    return x, y, theta
+def in_range(points: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return which coordinates the core's exact predicates take; NaN is none of them."""
+    magnitude = np.abs(points)
+    sane: NDArray[np.bool_] = (magnitude == 0) | (
+        (magnitude >= _core.MIN_COORDINATE) & (magnitude <= _core.MAX_COORDINATE)
+    )
+    return sane
 
 
 def poses(value: object, name: str) -> Triple | NDArray[np.float64]:
@@ -59,6 +68,18 @@ def poses(value: object, name: str) -> Triple | NDArray[np.float64]:
         x, y, theta = _vector(array, name, 3, "(x, y, theta), or rows of them")
         return x, y, theta
     return _rows(array, name, 3, "(x, y, theta)")
+
+
+def out_of_range(pose: object, row: int | None = None) -> PlacementError:
+    """Return the error for a configuration, in a row of a batch, that the core refused."""
+    problem = "places the body outside the range of exact arithmetic"
+    return PlacementError(problem, "pose", row, pose)
+
+
+def check_placed(bad: int, rows: NDArray[np.float64], single: bool) -> None:
+    """Raise for the row at which the core stopped, unless it is -1."""
+    if bad >= 0:
+        raise out_of_range(rows[bad].tolist(), None if single else bad)
 
 
 def pose_pairs(q0: object, q1: object) -> tuple[NDArray[np.float64], NDArray[np.float64], bool]:
@@ -131,6 +152,41 @@ def flag(value: object, name: str) -> bool:
     if not isinstance(value, bool | np.bool_):
         raise PdgError("expected True or False", name, value=value)
     return bool(value)
+
+
+def starts(value: object, name: str, end: int) -> NDArray[np.uint32]:
+    """Return starts that ascend from 0 to `end`, each part not empty."""
+    problem = "expected integers of shape (n,), not empty"
+    try:
+        array = np.asarray(value)
+    except (TypeError, ValueError) as error:
+        raise PdgError(problem, name, value=value) from error
+    if array.ndim != 1 or array.dtype.kind not in "iu" or len(array) == 0:
+        raise PdgError(problem, name, value=value)
+    for place, expected in ((0, 0), (-1, end)):
+        if array[place] != expected:
+            raise PdgError(f"must begin with 0 and end with {end}", name, value=array.tolist())
+    flat = np.flatnonzero(array[1:] <= array[:-1])
+    if len(flat):
+        raise PdgError("must ascend", name, int(flat[0]) + 1, int(array[flat[0] + 1]))
+    return np.ascontiguousarray(array, dtype=np.uint32)
+
+
+def choice(value: object, choices: Sequence[Kind], name: str, index: int | None = None) -> Kind:
+    """Return the one of a few strings that `value` is."""
+    for known in choices:
+        if isinstance(value, str) and value == known:
+            return known
+    *others, last = (f'"{known}"' for known in choices)
+    raise PdgError(f"expected {', '.join(others)} or {last}", name, index, value)
+
+
+def items(values: Iterable[Item], name: str) -> list[Item]:
+    """Return the items of an iterable."""
+    try:
+        return list(values)
+    except TypeError as error:
+        raise PdgError("expected a sequence", name, value=values) from error
 
 
 def coordinates(

@@ -7,15 +7,12 @@ two has none. It also finds the least subspace that holds A.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core
-from pdg._constants import FLATNESS_UNITS, MOST_ROUNDS, ROUND_ENOUGH, ROUND_ENOUGH_ALONG_AXES
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from pdg.tolerances import FLATNESS_UNITS, MOST_ROUNDS, ROUND_ENOUGH, ROUND_ENOUGH_ALONG_AXES
 
 
 @dataclass(frozen=True, slots=True)

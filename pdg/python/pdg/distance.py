@@ -8,26 +8,38 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core, _gate
-from pdg._constants import MAX_SET_COORDINATE
 from pdg._set_frame import Frame, frame_of
 from pdg.errors import PdgError
 from pdg.sets import SupportSet, as_convex_set
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from pdg.stop_reason import StopReason
+from pdg.tolerances import (
+    ABSOLUTE_TOLERANCE,
+    MAX_FACETS,
+    MAX_ITERATIONS,
+    MAX_SET_COORDINATE,
+)
 
 OriginState = Literal["inside", "boundary", "outside", "flat"]
-StopReason = Literal["converged", "iterations", "facets", "time", "precision"]
+"""Where the origin is with respect to a convex set; see `PenetrationDistance`."""
+
 _STATES: tuple[OriginState, ...] = ("inside", "boundary", "outside", "flat")
-_REASONS: tuple[StopReason, ...] = ("converged", "iterations", "facets", "time", "precision")
+# In the order of the core's StopReason.
+_ENDS = (
+    StopReason.CONVERGED,
+    StopReason.MAX_ITERATIONS,
+    StopReason.MAX_FACETS,
+    StopReason.TIMEOUT,
+    StopReason.ROUNDING,
+)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class PenetrationDistance:
     """A bracket of d_Q(A).
 
@@ -49,11 +61,10 @@ class PenetrationDistance:
         Support points added to the first simplex.
     facets : int
         Facets of the last polytope.
-    reason : {"converged", "iterations", "facets", "time", "precision"}
-        Why it stopped. "converged": the bracket is as narrow as asked for. "precision": rounding
-        does not allow a narrower one.
+    stop_reason : StopReason
+        CONVERGED, TIMEOUT, MAX_ITERATIONS, MAX_FACETS or ROUNDING.
     dimension : int
-        Of the space that the computation took place in: less than n if A is flat.
+        The dimension of the space that the computation took place in: less than n if A is flat.
     history : tuple of (lower, upper, facets)
         One bracket an iteration, in plain doubles; empty unless asked for.
     """
@@ -65,7 +76,7 @@ class PenetrationDistance:
     point: NDArray[np.float64]
     iterations: int
     facets: int
-    reason: StopReason
+    stop_reason: StopReason
     dimension: int
     history: tuple[tuple[float, float, int], ...] = ()
 
@@ -73,12 +84,12 @@ class PenetrationDistance:
 def penetration_distance(
     A: SupportSet,
     Q: SupportSet,
-    eps: float = 1e-4,
+    absolute_tolerance: float = ABSOLUTE_TOLERANCE,
     *,
-    relative_eps: float = 0.0,
-    max_iterations: int = 100_000,
-    max_facets: int = 5_000_000,
-    time_limit: float = math.inf,
+    relative_tolerance: float = 0.0,
+    timeout: float | None = None,
+    max_iterations: int = MAX_ITERATIONS,
+    max_facets: int = MAX_FACETS,
     history: bool = False,
 ) -> PenetrationDistance:
     """Return a bracket of d_Q(A), the largest l >= 0 with l Q inside A.
@@ -94,14 +105,14 @@ def penetration_distance(
     A, Q : ConvexSet or SupportSet
         Compact convex sets of one dimension n; see `pdg.sets`. Q holds the origin and may be of
         lower dimension or have the origin on its boundary. Calls into Python are slow.
-    eps : float, optional
-        Stop once ``upper - lower <= eps``, an absolute width, as in the paper.
-    relative_eps : float, optional
-        Stop also once ``upper - lower <= relative_eps * upper``.
+    absolute_tolerance : float, optional
+        The search ends when ``upper - lower <= absolute_tolerance``, as in the paper (its ε).
+    relative_tolerance : float, optional
+        It also ends when ``upper - lower <= relative_tolerance * upper``.
+    timeout : float, optional
+        Seconds. By default there is no limit.
     max_iterations, max_facets : int, optional
         Limits of work and, at some 200 bytes a facet, memory.
-    time_limit : float, optional
-        Seconds.
     history : bool, optional
         Whether to keep each iteration's bracket.
 
@@ -119,21 +130,22 @@ def penetration_distance(
         For arguments that are no convex sets of one dimension, a Q without the origin, and limits
         that are not numbers >= 0.
     """
-    a = as_convex_set(A, "A").core
-    q = as_convex_set(Q, "Q").core
+    a = as_convex_set(A, "A")._native
+    q = as_convex_set(Q, "Q")._native
     _check_sets(a, q)
-    gap, relative_gap = _gate.length(eps, "eps"), _gate.length(relative_eps, "relative_eps")
+    tolerances = (
+        _gate.length(absolute_tolerance, "absolute_tolerance"),
+        _gate.length(relative_tolerance, "relative_tolerance"),
+    )
     limits = (_gate.count(max_iterations, "max_iterations"), _gate.count(max_facets, "max_facets"))
-    seconds = _gate.seconds(time_limit, "time_limit")
+    seconds = math.inf if timeout is None else _gate.seconds(timeout, "timeout")
     steps_wanted = _gate.flag(history, "history")
     frame = frame_of(a)
     found = _beside_subspace(a, q, frame)
     if found is not None:
         return found
-    state, reason, lower, upper, direction, _, iterations, facets, steps = (
-        _core.penetration_distance(
-            frame.image(a), frame.image(q), gap, relative_gap, *limits, seconds, steps_wanted
-        )
+    state, end, lower, upper, direction, _, iterations, facets, steps = _core.penetration_distance(
+        frame.image(a), frame.image(q), *tolerances, *limits, seconds, steps_wanted
     )
     u = _unit(np.array(direction) @ frame.matrix)
     return PenetrationDistance(
@@ -144,7 +156,7 @@ def penetration_distance(
         a.supports(u[np.newaxis])[1][0],
         iterations,
         facets,
-        _REASONS[reason],
+        _ENDS[end],
         len(frame.matrix),
         tuple(steps),
     )
@@ -165,7 +177,14 @@ def _beside_subspace(
     if h_a[worst] < -rounding_a[worst]:
         answer = (-math.inf, -math.inf)
         return PenetrationDistance(
-            "outside", *answer, both[worst], points[worst], 0, 0, "converged", len(frame.matrix)
+            "outside",
+            *answer,
+            both[worst],
+            points[worst],
+            0,
+            0,
+            StopReason.CONVERGED,
+            len(frame.matrix),
         )
     beyond = h_q - rounding_a - 2 * rounding_q
     steepest = int(np.argmax(beyond))
@@ -179,11 +198,13 @@ def _beside_subspace(
             points[steepest],
             0,
             0,
-            "converged",
+            StopReason.CONVERGED,
             len(frame.matrix),
         )
     if len(frame.matrix) == 0:  # both sets are the origin
-        return PenetrationDistance("flat", 0.0, math.inf, both[0], points[0], 0, 0, "precision", 0)
+        return PenetrationDistance(
+            "flat", 0.0, math.inf, both[0], points[0], 0, 0, StopReason.ROUNDING, 0
+        )
     return None
 
 

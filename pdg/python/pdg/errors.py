@@ -1,4 +1,4 @@
-"""The one error that a caller of `pdg` can cause."""
+"""The errors that a caller of `pdg` can cause, all of them a `PdgError`."""
 
 from __future__ import annotations
 
@@ -33,3 +33,11 @@ class PdgError(ValueError):
         place = self.name if self.index is None else f"{self.name}[{self.index}]"
         got = "" if self.value is None else f" (got {reprlib.repr(self.value)})"
         return f"{place}: {self.problem}{got}" if place else f"{self.problem}{got}"
+
+
+class BodyError(PdgError):
+    """A body that is not made of valid polygons with area."""
+
+
+class PlacementError(PdgError):
+    """A configuration that places a body outside the range of exact arithmetic."""

@@ -10,22 +10,36 @@ and Using Novel Generalized Penetration Distance Algorithm*, ICRA 2013.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
+from collections.abc import Callable, Iterable
+from typing import Protocol, runtime_checkable
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from pdg import _core, _gate
-from pdg._constants import (
+from pdg.errors import PdgError
+from pdg.tolerances import (
     ACCURACY_SHARES,
     MIN_SET_COORDINATE,
     MOST_DIMENSIONS,
     SUPPORT_ACCURACY,
 )
-from pdg.errors import PdgError
 
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+__all__ = [
+    "AffineImage",
+    "Ball",
+    "Box",
+    "ConvexSet",
+    "CrossPolytope",
+    "Ellipsoid",
+    "MinkowskiSum",
+    "PointSet",
+    "Scaled",
+    "Segment",
+    "SupportSet",
+    "UnionHull",
+    "as_convex_set",
+]
 
 
 @runtime_checkable
@@ -49,27 +63,37 @@ class SupportSet(Protocol):
 
 
 class ConvexSet:
-    """A compiled convex set; immutable. Made by the classes below.
+    """A compiled convex set; immutable. Made by its subclasses and by `as_convex_set`.
 
-    Attributes
-    ----------
-    core : object
-        The core's set. Private to the library.
+    Pickling keeps what the set was made of, from which it is compiled again; a caller's own set
+    must itself be one that pickles.
     """
 
-    __slots__ = ("core",)
+    __slots__ = ("_arguments", "_native")
 
-    def __init__(self, core: _core.ConvexSet) -> None:
-        self.core = core
+    _native: _core.ConvexSet
+    _arguments: tuple[object, ...]
+
+    def __init__(self) -> None:
+        raise TypeError("a ConvexSet is made by its subclasses and by pdg.sets.as_convex_set")
+
+    def _hold(self, native: _core.ConvexSet, *arguments: object) -> None:
+        """Keep the compiled set and the arguments that make it anew, its arrays copied."""
+        self._native = native
+        self._arguments = tuple(a.copy() if isinstance(a, np.ndarray) else a for a in arguments)
+
+    def __reduce__(self) -> tuple[Callable[..., ConvexSet], tuple[object, ...]]:
+        return type(self), self._arguments
 
     @property
     def dimension(self) -> int:
         """The number of coordinates, n."""
-        return self.core.dimension
+        return self._native.dimension
 
     def support(self, u: ArrayLike) -> tuple[float, NDArray[np.float64]]:
         """Return h(u) and s(u), of shape (n,), for a direction u of any length."""
-        values, points = self.supports(_gate.coordinates(u, "u", 1, 0.0)[np.newaxis])
+        direction = _vector(u, "u", self.dimension, 0.0)
+        values, points = self._native.supports(direction[np.newaxis])
         return float(values[0]), points[0]
 
     def supports(self, directions: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -83,7 +107,7 @@ class ConvexSet:
         u = _gate.coordinates(directions, "directions", 2, 0.0)
         if u.shape[1] != self.dimension:
             raise PdgError(f"expected {self.dimension} coordinates", "directions", value=u.shape)
-        return self.core.supports(u)
+        return self._native.supports(u)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}(dimension={self.dimension})"
@@ -112,10 +136,12 @@ class Ellipsoid(ConvexSet):
         numbers = _gate.numbers(axes, "axes")
         if numbers.ndim == 1:
             radii = _gate.coordinates(numbers, "axes", 1)
-            super().__init__(_core.axis_ellipsoid(radii, _centre(centre, len(radii))))
+            middle = _centre(centre, len(radii))
+            self._hold(_core.axis_ellipsoid(radii, middle), radii, middle)
         else:
             matrix = _gate.coordinates(numbers, "axes", 2)
-            super().__init__(_core.ellipsoid(matrix, _centre(centre, len(matrix))))
+            middle = _centre(centre, len(matrix))
+            self._hold(_core.ellipsoid(matrix, middle), matrix, middle)
 
 
 class Ball(Ellipsoid):
@@ -136,7 +162,9 @@ class Ball(Ellipsoid):
     def __init__(
         self, dimension: int, radius: float = 1.0, centre: ArrayLike | None = None
     ) -> None:
-        super().__init__(_repeated(dimension, radius, "radius"), centre)
+        radii = _repeated(dimension, radius, "radius")
+        middle = _centre(centre, len(radii))
+        self._hold(_core.axis_ellipsoid(radii, middle), len(radii), float(radii[0]), middle)
 
 
 class Box(ConvexSet):
@@ -153,7 +181,8 @@ class Box(ConvexSet):
     __slots__ = ()
 
     def __init__(self, half_extents: ArrayLike, centre: ArrayLike | None = None) -> None:
-        super().__init__(_core.box(*_centred(half_extents, "half_extents", centre)))
+        arrays = _centred(half_extents, "half_extents", centre)
+        self._hold(_core.box(*arrays), *arrays)
 
 
 class CrossPolytope(ConvexSet):
@@ -170,7 +199,8 @@ class CrossPolytope(ConvexSet):
     __slots__ = ()
 
     def __init__(self, radii: ArrayLike, centre: ArrayLike | None = None) -> None:
-        super().__init__(_core.cross_polytope(*_centred(radii, "radii", centre)))
+        arrays = _centred(radii, "radii", centre)
+        self._hold(_core.cross_polytope(*arrays), *arrays)
 
 
 class PointSet(ConvexSet):
@@ -185,7 +215,8 @@ class PointSet(ConvexSet):
     __slots__ = ()
 
     def __init__(self, points: ArrayLike) -> None:
-        super().__init__(_core.point_set(_gate.coordinates(points, "points", 2)))
+        rows = _gate.coordinates(points, "points", 2)
+        self._hold(_core.point_set(rows), rows)
 
 
 class Segment(PointSet):
@@ -201,7 +232,8 @@ class Segment(PointSet):
 
     def __init__(self, start: ArrayLike, end: ArrayLike) -> None:
         p = _gate.coordinates(start, "start", 1)
-        super().__init__(np.stack([p, _vector(end, "end", len(p))]))
+        q = _vector(end, "end", len(p))
+        self._hold(_core.point_set(np.stack([p, q])), p, q)
 
 
 class MinkowskiSum(ConvexSet):
@@ -216,7 +248,8 @@ class MinkowskiSum(ConvexSet):
     __slots__ = ()
 
     def __init__(self, sets: Iterable[SupportSet]) -> None:
-        super().__init__(_core.minkowski_sum(_cores(sets)))
+        parts = _compiled(sets)
+        self._hold(_core.minkowski_sum([part._native for part in parts]), parts)
 
 
 class UnionHull(ConvexSet):
@@ -231,7 +264,8 @@ class UnionHull(ConvexSet):
     __slots__ = ()
 
     def __init__(self, sets: Iterable[SupportSet]) -> None:
-        super().__init__(_core.union_hull(_cores(sets)))
+        parts = _compiled(sets)
+        self._hold(_core.union_hull([part._native for part in parts]), parts)
 
 
 class AffineImage(ConvexSet):
@@ -253,11 +287,12 @@ class AffineImage(ConvexSet):
         self, matrix: ArrayLike, inner: SupportSet, offset: ArrayLike | None = None
     ) -> None:
         m = _gate.coordinates(matrix, "matrix", 2)
-        core = as_convex_set(inner, "inner").core
-        if m.shape[1] != core.dimension:
-            problem = f"expected {core.dimension} columns, the set's dimension"
+        part = as_convex_set(inner, "inner")
+        if m.shape[1] != part.dimension:
+            problem = f"expected {part.dimension} columns, the set's dimension"
             raise PdgError(problem, "matrix", value=m.shape)
-        super().__init__(_core.affine_image(m, _centre(offset, len(m), "offset"), core))
+        shift = _centre(offset, len(m), "offset")
+        self._hold(_core.affine_image(m, shift, part._native), m, part, shift)
 
 
 class Scaled(ConvexSet):
@@ -275,18 +310,21 @@ class Scaled(ConvexSet):
 
     def __init__(self, factor: float, inner: SupportSet) -> None:
         (number,) = _gate.coordinates([factor], "factor", 1)
-        super().__init__(_core.scaled(float(number), as_convex_set(inner, "inner").core))
+        part = as_convex_set(inner, "inner")
+        self._hold(_core.scaled(float(number), part._native), float(number), part)
 
 
-def as_convex_set(value: Any, name: str, accuracy: float = SUPPORT_ACCURACY) -> ConvexSet:
+def as_convex_set(
+    value: SupportSet, name: str = "value", accuracy: float = SUPPORT_ACCURACY
+) -> ConvexSet:
     """Return the compiled set that `value` is, or one that asks `value` through its protocol.
 
     Parameters
     ----------
     value : ConvexSet or SupportSet
         A set of this module, or any object with `dimension` and `support`.
-    name : str
-        The argument's name, for error messages.
+    name : str, optional
+        What errors call the argument.
     accuracy : float, optional
         What a `SupportSet` promises: points and values are right to this times the set's extent
         along each coordinate. Bounds built on the set rely on it.
@@ -302,16 +340,32 @@ def as_convex_set(value: Any, name: str, accuracy: float = SUPPORT_ACCURACY) -> 
         If `value` is neither; later, during use, if its answers are no numbers of the right shape
         or break u·s(u) = h(u).
     """
+    promised = _gate.length(accuracy, "accuracy")
     if isinstance(value, ConvexSet):
         return value
     if not isinstance(value, SupportSet):
         raise PdgError("expected a convex set: .dimension and .support(u)", name, value=value)
     dimension = _dimension(value.dimension, f"{name}.dimension")
-    asked = _Asked(value, name, accuracy)
+    asked = _Asked(value, name, promised)
     axes = np.eye(dimension)
     magnitude = [max(abs(asked(u)[0]), abs(asked(-u)[0])) for u in axes]
     asked.magnitude = np.array(magnitude)
-    return ConvexSet(_core.python_set(asked, magnitude, [accuracy * m for m in magnitude]))
+    found = object.__new__(_CallersSet)
+    native = _core.python_set(asked, magnitude, [promised * m for m in magnitude])
+    found._hold(native, value, name, promised)
+    return found
+
+
+class _CallersSet(ConvexSet):
+    """A set that asks a caller's object."""
+
+    __slots__ = ()
+
+    def __reduce__(self) -> tuple[Callable[..., ConvexSet], tuple[object, ...]]:
+        return as_convex_set, self._arguments
+
+    def __repr__(self) -> str:
+        return f"ConvexSet({self._arguments[0]!r})"
 
 
 class _Asked:
@@ -337,19 +391,18 @@ class _Asked:
         return value, point
 
 
-def _cores(sets: Iterable[SupportSet]) -> list[_core.ConvexSet]:
-    try:
-        parts = list(sets)
-    except TypeError as error:
-        raise PdgError("expected sets", "sets", value=sets) from error
-    cores = [as_convex_set(inner, f"sets[{i}]").core for i, inner in enumerate(parts)]
-    if not cores:
+def _compiled(sets: Iterable[SupportSet]) -> list[ConvexSet]:
+    """Return compiled sets of one dimension, at least one."""
+    compiled = [
+        as_convex_set(inner, f"sets[{i}]") for i, inner in enumerate(_gate.items(sets, "sets"))
+    ]
+    if not compiled:
         raise PdgError("at least one set is needed", "sets")
-    for i, core in enumerate(cores):
-        if core.dimension != cores[0].dimension:
-            problem = f"expected dimension {cores[0].dimension}, the first set's"
-            raise PdgError(problem, "sets", i, core.dimension)
-    return cores
+    for i, part in enumerate(compiled):
+        if part.dimension != compiled[0].dimension:
+            problem = f"expected dimension {compiled[0].dimension}, the first set's"
+            raise PdgError(problem, "sets", i, part.dimension)
+    return compiled
 
 
 def _dimension(value: object, name: str) -> int:

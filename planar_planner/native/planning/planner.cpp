@@ -210,7 +210,7 @@ Answer Planner::ask_disc(Planner& disc, Query& query, const Goal& goal) {
   Answer answer = disc.solve({query.start.x, query.start.y, 0.0}, place, limits, query.listener);
   statistics_ += answer.statistics;
   const bool tried_enough =
-      limits.max_cells < query.limits.max_cells && answer.stopped_by == StopReason::kCells;
+      limits.max_cells < query.limits.max_cells && answer.stopped_by == StopReason::kMaxCells;
   if (answer.stopped_by && !tried_enough) {
     query.leave_undecided(*answer.stopped_by);
     query.stopped_by = answer.stopped_by;

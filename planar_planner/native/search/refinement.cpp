@@ -289,10 +289,10 @@ bool Refinement::stop() {
   };
   statistics_.constraint_bytes = subdivision_.constraint_bytes();
   statistics_.memory_bytes = subdivision_.bytes() + search_.bytes();
-  if (subdivision_.size() >= limits.max_cells) return reached(StopReason::kCells);
-  if (statistics_.memory_bytes >= limits.max_memory) return reached(StopReason::kMemory);
+  if (subdivision_.size() >= limits.max_cells) return reached(StopReason::kMaxCells);
+  if (statistics_.memory_bytes >= limits.max_memory) return reached(StopReason::kMaxMemory);
   const double elapsed = query_.elapsed();
-  if (elapsed >= limits.timeout) return reached(StopReason::kTime);
+  if (elapsed >= limits.timeout) return reached(StopReason::kTimeout);
   if (!query_.listener || elapsed - query_.last_call < kListenerPeriod) return false;
   query_.last_call = elapsed;
   const std::array<Count, 4> n = take_census(subdivision_).by_label.of;

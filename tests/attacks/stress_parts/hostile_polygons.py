@@ -17,7 +17,7 @@ from itertools import pairwise
 import numpy as np
 
 from attacks.stress_parts.common import Row, Settings, fail
-from pdg._core import PieceSet, first_defect
+from pdg import even_odd_pieces, polygon_defect
 
 PART = "hostile"
 Point = tuple[float, float]
@@ -57,15 +57,15 @@ def _compared(rings: Rings) -> tuple[str | None, bool]:
     coords = np.array([p for ring in rings for p in ring])
     starts = np.cumsum([0, *map(len, rings)]).astype(np.uint32)
     polygon = np.array([0, len(rings)], dtype=np.uint32)
-    defect = first_defect(coords, starts, polygon)
+    defect = polygon_defect(coords, starts, polygon)
     truth = oracle(rings)
     if (defect is None) != (truth is None):
         return f"judged {defect}, is {truth}", defect is None
     if truth is not None:
         return None, False
     for cover in (False, True):
-        points, first = PieceSet(coords, starts, polygon, cover).arrays()
-        pieces = [[(x, y) for x, y in points[a:b].tolist()] for a, b in pairwise(first.tolist())]
+        found = even_odd_pieces(rings, cover=cover)
+        pieces = [[(x, y) for x, y in piece.tolist()] for piece in found]
         if not all(map(_is_convex, pieces)):
             return "a piece is not convex", True
         if not cover and _boundary(_oriented(rings)) != _boundary(pieces):

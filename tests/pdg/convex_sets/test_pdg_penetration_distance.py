@@ -15,8 +15,7 @@ from scipy.optimize import minimize
 from scipy.spatial import ConvexHull
 
 import pdg
-from pdg import sets
-from pdg.distance import PenetrationDistance
+from pdg import PenetrationDistance, sets
 
 Case = tuple[str, sets.ConvexSet, sets.ConvexSet, float]
 
@@ -63,7 +62,7 @@ def closed_forms(n: int) -> Iterator[Case]:
 def check(found: PenetrationDistance, truth: float, eps: float, name: object) -> None:
     """A bracket of the truth, as narrow as asked for, attained by its direction."""
     assert found.state == "inside", name
-    assert found.reason == "converged", name
+    assert found.stop_reason == "converged", name
     # The truths themselves are computed: some twenty roundings.
     assert found.lower <= truth * (1 + 4e-15), name
     assert found.upper >= truth * (1 - 4e-15), name
@@ -89,7 +88,9 @@ def test_round_sets_in_many_dimensions(n: int) -> None:
     rng = np.random.default_rng(n)
     for _ in range(2):
         r, b = rng.uniform(1.0, 2.0, n), rng.uniform(0.5, 1.0, n)
-        found = pdg.penetration_distance(sets.Ellipsoid(r), sets.Ellipsoid(b), eps=0.3)
+        found = pdg.penetration_distance(
+            sets.Ellipsoid(r), sets.Ellipsoid(b), absolute_tolerance=0.3
+        )
         check(found, float(np.min(r / b)), 0.3, "ellipsoid in ellipsoid")
 
 
@@ -117,8 +118,8 @@ def test_turned_and_stretched_sets_bracket_or_say_so() -> None:
             slack = truth * np.linalg.cond(m) * 1e-15
             assert found.lower <= truth + slack, name
             assert found.upper >= truth - slack, name
-            assert found.reason == "precision" or found.upper - found.lower <= 1e-3, name
-            reasons.add(found.reason)
+            assert found.stop_reason == "rounding" or found.upper - found.lower <= 1e-3, name
+            reasons.add(found.stop_reason)
     assert "converged" in reasons
 
 
@@ -166,7 +167,7 @@ def test_bounds_hold_exactly_for_polytopes() -> None:
 def test_distances_scale() -> None:
     for factor in (1e-6, 1e6):
         found = pdg.penetration_distance(
-            sets.Ellipsoid(factor * np.array([1.0, 2, 3])), sets.Ball(3), 0, relative_eps=1e-5
+            sets.Ellipsoid(factor * np.array([1.0, 2, 3])), sets.Ball(3), 0, relative_tolerance=1e-5
         )
         check(found, factor, 1e-5 * factor, factor)
 
@@ -214,7 +215,7 @@ def test_slow_minimisation_finds_nothing_below(n: int) -> None:
         if slow < 0:
             assert found.state == "outside"
             continue
-        assert found.reason == "converged"
+        assert found.stop_reason == "converged"
         assert found.lower <= slow * (1 + 1e-12)
         # The slow way may stop above the minimum, by little.
         assert slow <= found.upper + 1e-4
@@ -298,7 +299,7 @@ def test_ray_from_the_boundary_says_that_it_cannot_be_proved() -> None:
     found = pdg.penetration_distance(
         sets.Box([1.0, 1], [1.0, 0]), sets.Segment([0.0, 0], [1.0, 0]), 1e-6
     )
-    assert (found.state, found.reason) == ("boundary", "precision")
+    assert (found.state, found.stop_reason) == ("boundary", "rounding")
     assert found.lower == 0
     assert found.upper == pytest.approx(2, abs=1e-6)
 
@@ -317,7 +318,7 @@ def test_flat_sets() -> None:
         other = rng.normal(size=(k, k))
         found = pdg.penetration_distance(A, sets.Ellipsoid(axes @ other), 1e-6)
         truth = 1 / np.linalg.norm(other, 2)
-        assert (found.state, found.reason, found.dimension) == ("inside", "converged", k)
+        assert (found.state, found.stop_reason, found.dimension) == ("inside", "converged", k)
         assert found.lower <= truth * (1 + 1e-12)
         assert found.upper >= truth * (1 - 1e-12)
         assert found.upper - found.lower <= 1e-6
@@ -383,16 +384,16 @@ def test_python_sets() -> None:
 def test_limits_and_history() -> None:
     A, Q = sets.Ellipsoid([1.0, 1.1, 1.2, 1.3, 1.4]), sets.Ball(5)
     few = pdg.penetration_distance(A, Q, 1e-9, max_iterations=20, history=True)
-    assert (few.reason, few.iterations) == ("iterations", 20)
+    assert (few.stop_reason, few.iterations) == ("max_iterations", 20)
     assert 0 < few.lower < 1 < few.upper
     assert len(few.history) == 21
     lowers, uppers, facets = zip(*few.history, strict=True)
     assert list(uppers) == sorted(uppers, reverse=True)
     assert facets[-1] == few.facets
     assert lowers[-1] == pytest.approx(few.lower)
-    assert pdg.penetration_distance(A, Q, 1e-9, max_facets=100).reason == "facets"
-    assert pdg.penetration_distance(A, Q, 1e-9, time_limit=0.01).reason == "time"
-    assert pdg.penetration_distance(sets.Box([1.0, 1]), sets.Ball(2), 0).reason == "precision"
+    assert pdg.penetration_distance(A, Q, 1e-9, max_facets=100).stop_reason == "max_facets"
+    assert pdg.penetration_distance(A, Q, 1e-9, timeout=0.01).stop_reason == "timeout"
+    assert pdg.penetration_distance(sets.Box([1.0, 1]), sets.Ball(2), 0).stop_reason == "rounding"
 
 
 def test_same_answer_every_time() -> None:
@@ -418,9 +419,9 @@ BALL = sets.Ball
         (lambda f: f(BALL(2), BALL(2, 1.0, [3.0, 0])), "Q: must hold the origin"),
         (lambda f: f(BALL(2), sets.PointSet([[0.0, 0]])), "Q: is the origin alone"),
         (lambda f: f(BALL(2), "ball"), "Q: expected a convex set"),
-        (lambda f: f(BALL(2), BALL(2), -1.0), "eps: must not be negative"),
+        (lambda f: f(BALL(2), BALL(2), -1.0), "absolute_tolerance: must not be negative"),
         (lambda f: f(BALL(2), BALL(2), max_iterations=1.5), "max_iterations: expected"),
-        (lambda f: f(BALL(2), BALL(2), time_limit=math.nan), "time_limit"),
+        (lambda f: f(BALL(2), BALL(2), timeout=math.nan), "timeout"),
         (lambda f: f(sets.Scaled(1e59, BALL(2, 1e59)), BALL(2)), "A: must extend to"),
     ],
 )

@@ -160,7 +160,7 @@ def test_a_python_object_that_lies_or_breaks_is_reported() -> None:
         (lambda: sets.MinkowskiSum([]), "sets: at least one"),
         (lambda: sets.UnionHull([sets.Ball(2), sets.Ball(3)]), r"sets\[1\]: expected dimension 2"),
         (lambda: sets.AffineImage(np.eye(3), sets.Ball(2)), "matrix: expected 2 columns"),
-        (lambda: sets.Ball(2).support([1, 2, 3]), "directions: expected 2 coordinates"),
+        (lambda: sets.Ball(2).support([1, 2, 3]), "u: expected 2 numbers"),
         (lambda: sets.Scaled(np.inf, sets.Ball(2)), "factor"),
     ],
 )
@@ -190,7 +190,7 @@ def test_odd_arguments_give_the_library_s_error() -> None:
         lambda: sets.MinkowskiSum(cast(Any, 3)),
         lambda: sets.UnionHull(cast(Any, np.array(1.0))),
         lambda: pdg.penetration_distance(sets.Ball(2), sets.Ball(2), history=cast(Any, 1)),
-        lambda: pdg.penetration_distance(sets.Ball(2), sets.Ball(2), time_limit=cast(Any, [])),
+        lambda: pdg.penetration_distance(sets.Ball(2), sets.Ball(2), timeout=cast(Any, [])),
         lambda: pdg.penetration_distance(sets.Ball(2), sets.Ball(2), max_facets=True),
     ):
         with pytest.raises(pdg.PdgError) as caught:
@@ -198,4 +198,4 @@ def test_odd_arguments_give_the_library_s_error() -> None:
         assert caught.value.name
         assert caught.value.value is not None
     huge = pdg.penetration_distance(sets.Ball(2), sets.Ball(2), max_iterations=10**30)
-    assert huge.reason == "converged"
+    assert huge.stop_reason == "converged"

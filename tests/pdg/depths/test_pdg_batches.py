@@ -49,12 +49,12 @@ def test_lower_bounds_are_the_single_ones() -> None:
         many = pdg.generalized_depth_lower_bound(A, B, rows)
         assert list(many) == [pdg.generalized_depth_lower_bound(A, B, tuple(q)) for q in rows]
         none += (many.pair[:, 0] < 0).sum()
-        assert (many.depth[many.pair[:, 0] < 0] == 0).all()
+        assert (many.lower[many.pair[:, 0] < 0] == 0).all()
     assert 10 < none < 390
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_verdicts_are_the_single_ones(method: pdg.query.QueryMethod) -> None:
+def test_verdicts_are_the_single_ones(method: pdg.QueryMethod) -> None:
     random = np.random.default_rng(22)
     full = 0
     for _ in range(10):
@@ -76,23 +76,26 @@ def test_brackets_are_the_single_ones(prepared: bool) -> None:
         fixed = pdg.convex_separators(B) if prepared else B
         rows = 0.5 * poses(random, 8)
         for tolerance, most in ((1e-2, None), (1e-9, 20)):
-            many = pdg.bracket(A, fixed, rows, tolerance, node_limit=most)
+            many = pdg.generalized_depth_bracket(A, fixed, rows, tolerance, max_nodes=most)
             assert isinstance(many, pdg.DepthBrackets)
             assert list(many) == [
-                pdg.bracket(A, fixed, tuple(q), tolerance, node_limit=most) for q in rows
+                pdg.generalized_depth_bracket(A, fixed, tuple(q), tolerance, max_nodes=most)
+                for q in rows
             ]
             assert [b.pose for b in many] == [tuple(q) for q in many.pose.tolist()]
-            ends |= {b.stopped for b in many}
-            apart += (many.hi == 0).sum()
-    assert ends >= {"tolerance", "nodes"}
+            ends |= {b.stop_reason for b in many}
+            apart += (many.upper == 0).sum()
+    assert ends >= {"converged", "max_nodes"}
     assert 2 < apart < 78
 
 
-def test_a_time_limit_is_for_each_bracket() -> None:
+def test_a_timeout_is_for_each_bracket() -> None:
     notch = [(-6, -6), (6, -6), (6, 2), (1.6, 2), (1.6, -3), (-1.6, -3), (-1.6, 2), (-6, 2)]
-    many = pdg.bracket(SQUARE, notch, np.tile((0.9, -1.0, 0.3), (3, 1)), 0.0, time_limit=0.0)
-    assert many.stopped.tolist() == ["time"] * 3
-    assert (many.lo <= many.hi).all()
+    many = pdg.generalized_depth_bracket(
+        SQUARE, notch, np.tile((0.9, -1.0, 0.3), (3, 1)), 0.0, timeout=0.0
+    )
+    assert many.stop_reason.tolist() == ["timeout"] * 3
+    assert (many.lower <= many.upper).all()
 
 
 def test_displacements_are_the_single_ones() -> None:
@@ -111,7 +114,7 @@ def test_displacements_are_the_single_ones() -> None:
 def test_empty_batches(empty: object) -> None:
     assert list(pdg.translational_depth(SQUARE, SQUARE, empty)) == []
     assert list(pdg.generalized_depth_lower_bound(SQUARE, SQUARE, empty)) == []
-    assert list(pdg.bracket(SQUARE, SQUARE, empty)) == []
+    assert list(pdg.generalized_depth_bracket(SQUARE, SQUARE, empty)) == []
     assert pdg.displacement(SQUARE, empty, (0, 0, 0)).shape == (0,)
     verdicts = pdg.c_obstacle_query(SQUARE, SQUARE, np.zeros((0, 6)))
     assert len(verdicts) == 0
@@ -139,7 +142,9 @@ GOOD = [0.0, 0.0, 0.0]
             "outside the range",
         ),
         (
-            lambda: pdg.bracket(HUGE, HUGE, [[0, 3e150, 0], [0, 2.2e150, 0]], node_limit=0),
+            lambda: pdg.generalized_depth_bracket(
+                HUGE, HUGE, [[0, 3e150, 0], [0, 2.2e150, 0]], max_nodes=0
+            ),
             "pose",
             1,
             [0.0, 2.2e150, 0.0],
@@ -219,7 +224,7 @@ def counting_thread() -> Iterator[Callable[[], int]]:
 @pytest.mark.parametrize("what", ["depths", "bounds", "queries", "displacements", "brackets"])
 def test_another_thread_runs_during_a_batch(what: str) -> None:
     random = np.random.default_rng(24)
-    a, b = pdg.convex_pieces(convex(random)).core, pdg.convex_pieces(convex(random)).core
+    a, b = pdg.convex_pieces(convex(random))._native, pdg.convex_pieces(convex(random))._native
     rows, boxes = poses(random, 4000), cells(random, 4000)
     core = pdg._core
     batch: Callable[[], object] = {

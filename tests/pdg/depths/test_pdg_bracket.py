@@ -44,11 +44,11 @@ def sampled_least(a: shapely.Geometry, b: shapely.Geometry, q: Pose, theta: floa
     """Least DISP over points along the slice's boundary: at most SPACING too large."""
     moving = [placed(t, (*q[:2], theta)) for t in triangles(a)]
     sums = [(y[:, None] - x[None]).reshape(-1, 2) for x in moving for y in triangles(b)]
-    obstacle = shapely.union_all([shapely.MultiPoint(points).convex_hull for points in sums])
+    obstacle = shapely.union_all([shapely.multipoints(points).convex_hull for points in sums])
     hull = shapely.get_coordinates(a.convex_hull)[:-1]
     moves = placed(hull, (*q[:2], theta)) - placed(hull, q)
     # f is least at the centre of the circle round -moves.
-    circle = shapely.minimum_bounding_circle(shapely.MultiPoint(-moves))
+    circle = shapely.minimum_bounding_circle(shapely.multipoints(-moves))
     shifts = [shapely.get_coordinates(circle.centroid) if np.ptp(moves) > 1e-9 else -moves[:1]]
     if shapely.contains_properly(obstacle, shapely.Point(shifts[0][0])):
         shifts = [
@@ -63,23 +63,23 @@ def check(
     a: shapely.Geometry, b: shapely.Geometry, pose: Pose, rel_tol: float = 1e-3
 ) -> pdg.DepthBracket:
     """What holds for every bracket."""
-    got = pdg.bracket(a, b, pose, rel_tol)
-    assert got.stopped == "tolerance"
-    assert got.hi - got.lo <= rel_tol * got.hi
+    got = pdg.generalized_depth_bracket(a, b, pose, rel_tol)
+    assert got.stop_reason == "converged"
+    assert got.upper - got.lower <= rel_tol * got.upper
     depth = pdg.translational_depth(a, b, pose)
     if depth.state != "overlap":
-        assert (got.lo, got.hi, got.distance_hi, got.pose) == (0.0, 0.0, 0.0, pose)
+        assert (got.lower, got.upper, got.distance_upper, got.pose) == (0.0, 0.0, 0.0, pose)
         return got
     scale = sum(np.abs(g.bounds).max() for g in (a, b)) + abs(pose[0]) + abs(pose[1])
-    bound = pdg.generalized_depth_lower_bound(a, b, pose).depth
-    assert 0 <= bound - 1e-13 * scale <= got.lo <= got.hi <= depth.depth + 1e-11 * scale
-    assert pdg.displacement(a, pose, got.pose) <= got.hi
-    assert pdg.displacement(a, pose, got.pose) == pytest.approx(got.hi, abs=1e-12 * scale)
-    assert pdg.generalized_distance_bounds(a, pose, got.distance_pose).upper <= got.distance_hi
-    assert got.hi - 1e-12 * scale <= got.distance_hi <= depth.depth + 1e-11 * scale
+    bound = pdg.generalized_depth_lower_bound(a, b, pose).lower
+    assert 0 <= bound - 1e-13 * scale <= got.lower <= got.upper <= depth.depth + 1e-11 * scale
+    assert pdg.displacement(a, pose, got.pose) <= got.upper
+    assert pdg.displacement(a, pose, got.pose) == pytest.approx(got.upper, abs=1e-12 * scale)
+    assert pdg.generalized_distance_bracket(a, pose, got.distance_pose).upper <= got.distance_upper
+    assert got.upper - 1e-12 * scale <= got.distance_upper <= depth.depth + 1e-11 * scale
     half = abs(math.remainder(got.pose[2] - pose[2], 2 * math.pi)) / 2
     factor = half / math.sin(half) if half > 0 else 1.0  # depth.md section 3
-    assert got.distance_hi <= got.hi * factor * (1 + 1e-12)
+    assert got.distance_upper <= got.upper * factor * (1 + 1e-12)
     for free in (got.pose, got.distance_pose):
         assert pdg.translational_depth(a, b, free).state != "overlap"
         assert at(a, free).intersection(b).area < 1e-12 * scale**2
@@ -93,15 +93,15 @@ def test_hammer_in_a_notch_against_a_dense_search(pose: Pose) -> None:
         np.linspace(-0.9, 0.9, 13), got.pose[2] - pose[2] + np.linspace(-0.02, 0.02, 5)
     )
     sampled = [sampled_least(HAMMER, NOTCHED, pose, pose[2] + turn) for turn in turns]
-    assert got.lo <= min(sampled) + 1e-9
+    assert got.lower <= min(sampled) + 1e-9
     # At the optimum's own angle, in the middle of the five, the search is off by its spacing only.
-    assert got.hi - 1e-9 <= sampled[-3] <= got.hi + SPACING
+    assert got.upper - 1e-9 <= sampled[-3] <= got.upper + SPACING
 
 
 def test_hammers_for_which_turning_matters() -> None:
     for pose in HAMMERS[:3]:
         depth = pdg.translational_depth(HAMMER, NOTCHED, pose).depth
-        assert check(HAMMER, NOTCHED, pose).hi < 0.5 * depth
+        assert check(HAMMER, NOTCHED, pose).upper < 0.5 * depth
 
 
 def test_random_bodies_against_a_dense_search() -> None:
@@ -112,11 +112,11 @@ def test_random_bodies_against_a_dense_search() -> None:
         x, y, theta = random.uniform((-2, -2, -4), (2, 2, 4))
         pose = (float(x), float(y), float(theta))
         got = check(a, b, pose, 1e-2)
-        if got.hi == 0:
+        if got.upper == 0:
             continue
         overlapping += 1
         sampled = [sampled_least(a, b, pose, pose[2] + turn) for turn in np.linspace(-0.5, 0.5, 9)]
-        assert got.lo <= min(sampled) + 1e-9
+        assert got.lower <= min(sampled) + 1e-9
     assert overlapping > 4
 
 
@@ -130,8 +130,8 @@ def test_of_convex_bodies_it_holds_the_translational_depth() -> None:
         got = check(a, b, (float(x), float(y), float(theta)), 1e-4)
         depth = pdg.translational_depth(a, b, (x, y, theta)).depth
         deep += depth > 0
-        assert got.lo <= max(depth, 0) + 1e-12
-        assert got.hi == pytest.approx(max(depth, 0), abs=1e-11)
+        assert got.lower <= max(depth, 0) + 1e-12
+        assert got.upper == pytest.approx(max(depth, 0), abs=1e-11)
     assert deep > 30
 
 
@@ -139,82 +139,82 @@ def test_turning_is_nearer_than_translating() -> None:
     """A bar pokes with its slanted ends into both walls of a corridor: a turn sets it free."""
     bar = shapely.box(-2, -0.4, 2, 0.4)
     walls = shapely.union_all([shapely.box(-9, 0.4, 9, 9), shapely.box(-9, -9, 9, -0.4)])
-    got = pdg.bracket(bar, walls, (0.0, 0.0, 0.1), 1e-4)
+    got = pdg.generalized_depth_bracket(bar, walls, (0.0, 0.0, 0.1), 1e-4)
     back = 2 * math.sin(0.05) * math.hypot(2, 0.4)  # the slot fits exactly: theta = 0 only
-    assert got.lo == pytest.approx(back, abs=1e-12)  # either answer to an exact fit, but no more
-    assert got.lo <= back * (1 + 1e-15)
-    assert got.stopped in ("tolerance", "rounding")
+    assert got.lower == pytest.approx(back, abs=1e-12)  # either answer to an exact fit, but no more
+    assert got.lower <= back * (1 + 1e-15)
+    assert got.stop_reason in ("converged", "rounding")
     wide = shapely.union_all([shapely.box(-9, 0.5, 9, 9), shapely.box(-9, -9, 9, -0.5)])
     got = check(bar, wide, (0.0, 0.0, 0.1), 1e-4)
     corner = math.atan2(0.4, 2)
     free = math.asin(0.5 / math.hypot(2, 0.4)) - corner  # the steepest slant that fits
     turn = 2 * math.sin((0.1 - free) / 2) * math.hypot(2, 0.4)
-    assert got.lo <= turn * (1 + 1e-12)
-    assert got.hi == pytest.approx(turn, rel=1e-4)
+    assert got.lower <= turn * (1 + 1e-12)
+    assert got.upper == pytest.approx(turn, rel=1e-4)
     assert pdg.translational_depth(bar, wide, (0.0, 0.0, 0.1)).depth > 4
 
 
 def test_limits_still_give_brackets() -> None:
     pose = HAMMERS[1]
-    truth = pdg.bracket(HAMMER, NOTCHED, pose, 1e-6)
+    truth = pdg.generalized_depth_bracket(HAMMER, NOTCHED, pose, 1e-6)
     widths = []
     for nodes in (0, 1, 2, 10, 40):
-        got = pdg.bracket(HAMMER, NOTCHED, pose, 1e-9, node_limit=nodes)
-        assert got.stopped == "nodes"
+        got = pdg.generalized_depth_bracket(HAMMER, NOTCHED, pose, 1e-9, max_nodes=nodes)
+        assert got.stop_reason == "max_nodes"
         assert got.nodes <= nodes
-        assert got.lo <= truth.hi
-        assert got.hi >= truth.lo
+        assert got.lower <= truth.upper
+        assert got.upper >= truth.lower
         assert pdg.translational_depth(HAMMER, NOTCHED, got.pose).state != "overlap"
-        widths.append(got.hi - got.lo)
+        widths.append(got.upper - got.lower)
     assert widths == sorted(widths, reverse=True)
-    got = pdg.bracket(HAMMER, NOTCHED, pose, 1e-9, time_limit=0.0)
-    assert got.stopped == "time"
+    got = pdg.generalized_depth_bracket(HAMMER, NOTCHED, pose, 1e-9, timeout=0.0)
+    assert got.stop_reason == "timeout"
     assert got.nodes == 0
-    got = pdg.bracket(HAMMER, NOTCHED, pose, 0.0)
-    assert got.stopped == "rounding"
-    assert got.hi - got.lo < 1e-10
-    assert got.lo <= truth.hi
-    assert got.hi >= truth.lo
+    got = pdg.generalized_depth_bracket(HAMMER, NOTCHED, pose, 0.0)
+    assert got.stop_reason == "rounding"
+    assert got.upper - got.lower < 1e-10
+    assert got.lower <= truth.upper
+    assert got.upper >= truth.lower
 
 
 def test_scale_and_place() -> None:
     pose = HAMMERS[0]
-    plain = pdg.bracket(HAMMER, NOTCHED, pose, 1e-4)
+    plain = pdg.generalized_depth_bracket(HAMMER, NOTCHED, pose, 1e-4)
     for power in (-300, -40, 40, 300):
         scaled = [
             shapely.transform(g, lambda p, k=power: np.ldexp(p, k)) for g in (HAMMER, NOTCHED)
         ]
         x, y = np.ldexp(pose[:2], power)
-        got = pdg.bracket(*scaled, (float(x), float(y), pose[2]), 1e-4)
-        assert np.ldexp(got.lo, -power) == pytest.approx(plain.lo, rel=1e-4)
-        assert np.ldexp(got.hi, -power) == pytest.approx(plain.hi, rel=1e-4)
+        got = pdg.generalized_depth_bracket(*scaled, (float(x), float(y), pose[2]), 1e-4)
+        assert np.ldexp(got.lower, -power) == pytest.approx(plain.lower, rel=1e-4)
+        assert np.ldexp(got.upper, -power) == pytest.approx(plain.upper, rel=1e-4)
     # Neither the frame's origin on the body nor the place in the plane matters.
     shifted = shapely.transform(HAMMER, lambda p: p - (7.0, 3.0))
     x, y = placed(np.array([(7.0, 3.0)]), (0.0, 0.0, pose[2]))[0] + np.array(pose[:2])
-    got = pdg.bracket(shifted, NOTCHED, (float(x), float(y), pose[2]), 1e-4)
-    assert got.lo <= plain.hi
-    assert got.hi >= plain.lo
+    got = pdg.generalized_depth_bracket(shifted, NOTCHED, (float(x), float(y), pose[2]), 1e-4)
+    assert got.lower <= plain.upper
+    assert got.upper >= plain.lower
     away = shapely.transform(NOTCHED, lambda p: p + 1e4)
-    got = pdg.bracket(HAMMER, away, (pose[0] + 1e4, pose[1] + 1e4, pose[2]), 1e-4)
-    assert got.lo <= plain.hi * (1 + 1e-9)
-    assert got.hi >= plain.lo * (1 - 1e-9)
+    got = pdg.generalized_depth_bracket(HAMMER, away, (pose[0] + 1e4, pose[1] + 1e4, pose[2]), 1e-4)
+    assert got.lower <= plain.upper * (1 + 1e-9)
+    assert got.upper >= plain.lower * (1 - 1e-9)
 
 
 def test_apart_touching_and_hardly_overlapping() -> None:
     box = shapely.box(-1, -1, 1, 1)
-    assert check(box, box, (3.0, 0.0, 0.0)).hi == 0
-    assert check(box, box, (2.0, 0.0, 0.0)).hi == 0
-    got = pdg.bracket(HAMMER, box, (2.5 - 1e-14, 0.0, 0.0))
-    assert 0 <= got.lo <= 1e-14 <= got.hi < 1e-12
+    assert check(box, box, (3.0, 0.0, 0.0)).upper == 0
+    assert check(box, box, (2.0, 0.0, 0.0)).upper == 0
+    got = pdg.generalized_depth_bracket(HAMMER, box, (2.5 - 1e-14, 0.0, 0.0))
+    assert 0 <= got.lower <= 1e-14 <= got.upper < 1e-12
 
 
 def test_bad_arguments_are_refused() -> None:
     box = shapely.box(-1, -1, 1, 1)
-    with pytest.raises(pdg.PdgError, match="rel_tol: must not be negative"):
-        pdg.bracket(box, box, rel_tol=-1)
-    with pytest.raises(pdg.PdgError, match="time_limit"):
-        pdg.bracket(box, box, time_limit=math.nan)
-    with pytest.raises(pdg.PdgError, match="node_limit: expected a whole number"):
-        pdg.bracket(box, box, node_limit=1.5)
+    with pytest.raises(pdg.PdgError, match="relative_tolerance: must not be negative"):
+        pdg.generalized_depth_bracket(box, box, relative_tolerance=-1)
+    with pytest.raises(pdg.PdgError, match="timeout"):
+        pdg.generalized_depth_bracket(box, box, timeout=math.nan)
+    with pytest.raises(pdg.PdgError, match="max_nodes: expected a whole number"):
+        pdg.generalized_depth_bracket(box, box, max_nodes=1.5)
     with pytest.raises(pdg.PdgError, match=r"pose\[2\]"):
-        pdg.bracket(box, box, (0, 0, math.inf))
+        pdg.generalized_depth_bracket(box, box, (0, 0, math.inf))

@@ -11,19 +11,11 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import pdg
+from oracles.depth_methods import minkowski_depth
 from oracles.placing import placed
 from worlds.bodies.random_bodies import blob, convex
 
 Pose = tuple[float, float, float]
-
-
-def minkowski_depth(a: NDArray, b: NDArray) -> float:
-    """Signed distance of the origin from the boundary of B minus A, positive inside."""
-    sums = (b[:, None, :] - a[None, :, :]).reshape(-1, 2)
-    difference = shapely.MultiPoint(sums).convex_hull
-    origin = shapely.Point(0, 0)
-    distance = float(difference.exterior.distance(origin))
-    return distance if difference.contains(origin) else -distance
 
 
 def random_pose(random: np.random.Generator, reach: float = 7.0) -> Pose:
@@ -35,7 +27,7 @@ def check(a: NDArray, b: NDArray, pose: Pose) -> pdg.TranslationalDepth:
     moved = placed(a, pose)
     scale = max(np.abs(moved).max(), np.abs(b).max())
     got = pdg.translational_depth(a, b, pose)
-    assert got.depth == pytest.approx(minkowski_depth(moved, b), abs=1e-14 * scale)
+    assert got.depth == pytest.approx(minkowski_depth(a, b, pose), abs=1e-14 * scale)
     assert np.hypot(*got.direction) == pytest.approx(1, abs=1e-14)
     step = np.array(got.on_b) - np.array(got.on_a) - got.depth * np.array(got.direction)
     assert np.abs(step).max() < 1e-14 * scale
@@ -126,17 +118,17 @@ def test_lower_bound_is_the_maximum_over_pairs() -> None:
     for _ in range(60):
         A, B = pdg.convex_pieces(blob(random, 3)), pdg.convex_pieces(blob(random, 6))
         pose = random_pose(random, 6)
-        depths = [[minkowski_depth(placed(a, pose), b) for b in B] for a in A]
+        depths = [[minkowski_depth(a, b, pose) for b in B] for a in A]
         bound = pdg.generalized_depth_lower_bound(A, B, pose)
-        assert bound.depth == pytest.approx(max(0.0, np.max(depths)), abs=1e-12)
+        assert bound.lower == pytest.approx(max(0.0, np.max(depths)), abs=1e-12)
         if bound.pair is None:
-            assert bound.depth == 0
+            assert bound.lower == 0
             assert bound.witness is None
             continue
         overlapping += 1
-        assert depths[bound.pair[0]][bound.pair[1]] == pytest.approx(bound.depth, abs=1e-12)
+        assert depths[bound.pair[0]][bound.pair[1]] == pytest.approx(bound.lower, abs=1e-12)
         assert bound.witness is not None
-        assert bound.witness.depth == bound.depth
+        assert bound.witness.depth == bound.lower
     assert overlapping > 20
 
 
@@ -148,7 +140,7 @@ def test_lower_bound_is_below_every_escape() -> None:
         body, obstacle = blob(random, 2), blob(random, 3)
         A, B = pdg.convex_pieces(body), pdg.convex_pieces(obstacle)
         q0 = random_pose(random, 2)
-        bound = pdg.generalized_depth_lower_bound(A, B, q0).depth
+        bound = pdg.generalized_depth_lower_bound(A, B, q0).lower
         for _ in range(40):
             q1 = tuple(np.array(q0) + random.normal(0, (2, 2, 1)))
             if pdg.generalized_depth_lower_bound(A, B, q1).pair is None:

@@ -72,7 +72,7 @@ def test_lower_bound_is_the_displacement_or_the_turn_of_the_smallest_circle() ->
     for _ in range(200):
         ring = convex(random)
         q0, q1 = random_pair(random)
-        got = pdg.generalized_distance_bounds(ring, q0, q1)
+        got = pdg.generalized_distance_bracket(ring, q0, q1)
         # The smallest circle is that of some two or three vertices.
         turned = abs(short_turn(q0, q1)) * smallest_radius(ring)
         moved = float(exact_displacement(ring, q0, q1))
@@ -104,7 +104,7 @@ def test_upper_bound_is_attained_by_the_motion_it_names() -> None:
     for _ in range(200):
         ring = convex(random)
         q0, q1 = random_pair(random)
-        got = pdg.generalized_distance_bounds(ring, q0, q1)
+        got = pdg.generalized_distance_bracket(ring, q0, q1)
         poses = about(np.array(got.centre), q0, q1)
         assert np.abs(placed(ring, tuple(poses[-1])) - placed(ring, q1)).max() < 1e-12
         walked = longest(ring, poses)
@@ -122,7 +122,7 @@ def test_no_motion_undercuts_the_lower_bound() -> None:
     for _ in range(400):
         ring = convex(random)
         q0, q1 = random_pair(random)
-        lower = pdg.generalized_distance_bounds(ring, q0, q1).lower
+        lower = pdg.generalized_distance_bracket(ring, q0, q1).lower
         s = np.linspace(0, 1, STEPS + 1)
         long_way = random.choice([0.0, 0.0, 2 * math.pi])
         end = np.array([*q1[:2], q0[2] + short_turn(q0, q1) + long_way])
@@ -148,7 +148,7 @@ def test_upper_bound_is_below_every_known_one() -> None:
     for _ in range(300):
         ring = convex(random)
         q0, q1 = random_pair(random)
-        got = pdg.generalized_distance_bounds(ring, q0, q1)
+        got = pdg.generalized_distance_bracket(ring, q0, q1)
         angle = abs(short_turn(q0, q1))
         chord = 2 * math.sin(angle / 2)
         # [PDG] Eq. 4 with any point of the frame in the place of the reference point.
@@ -175,7 +175,7 @@ def test_the_centre_is_the_best_one() -> None:
     for _ in range(200):
         ring = convex(random)
         q0, q1 = random_pair(random)
-        got = pdg.generalized_distance_bounds(ring, q0, q1)
+        got = pdg.generalized_distance_bracket(ring, q0, q1)
         centre = np.array(got.centre)
         assert got.upper == pytest.approx(vertex_bound(ring, q0, q1, centre), abs=1e-12)
         for step in random.normal(size=(20, 2)) * 10.0 ** random.uniform(-6, 0):
@@ -183,17 +183,17 @@ def test_the_centre_is_the_best_one() -> None:
 
 
 def test_cases_done_by_hand() -> None:
-    shifted = pdg.generalized_distance_bounds(SQUARE, (0, 0, 1), (3, 4, 1))
+    shifted = pdg.generalized_distance_bracket(SQUARE, (0, 0, 1), (3, 4, 1))
     assert (shifted.lower, shifted.upper) == pytest.approx((5, 5), rel=1e-14)
     assert shifted.lower <= 5 <= shifted.upper
     # About the centre of the smallest circle both bounds are the arc.
     for angle in (1e-3, 0.5, 2.0, math.pi):
-        got = pdg.generalized_distance_bounds(SQUARE, (0, 0, 0), (0, 0, angle))
+        got = pdg.generalized_distance_bracket(SQUARE, (0, 0, 0), (0, 0, angle))
         arc = angle * math.sqrt(2)
         assert (got.lower, got.upper) == pytest.approx((arc, arc), rel=1e-13)
         assert got.lower <= arc <= got.upper
-    assert pdg.generalized_distance_bounds(SQUARE, (1, 2, 3), (1, 2, 3)).lower == 0
-    full_turn = pdg.generalized_distance_bounds(SQUARE, (0, 0, 0), (0, 0, 2 * math.pi))
+    assert pdg.generalized_distance_bracket(SQUARE, (1, 2, 3), (1, 2, 3)).lower == 0
+    full_turn = pdg.generalized_distance_bracket(SQUARE, (0, 0, 0), (0, 0, 2 * math.pi))
     assert full_turn.upper < 1e-13
 
 
@@ -202,6 +202,6 @@ def test_batches_are_the_single_ones() -> None:
     body = blob(random, 3)
     pairs = [random_pair(random) for _ in range(50)]
     starts, ends = (np.array(q) for q in zip(*pairs, strict=True))
-    many = pdg.generalized_distance_bounds(body, starts, ends)
-    assert list(many) == [pdg.generalized_distance_bounds(body, *pair) for pair in pairs]
-    assert len(pdg.generalized_distance_bounds(body, [], (0, 0, 0))) == 0
+    many = pdg.generalized_distance_bracket(body, starts, ends)
+    assert list(many) == [pdg.generalized_distance_bracket(body, *pair) for pair in pairs]
+    assert len(pdg.generalized_distance_bracket(body, [], (0, 0, 0))) == 0

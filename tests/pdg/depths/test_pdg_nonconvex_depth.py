@@ -27,7 +27,7 @@ def obstacle(a: shapely.Geometry, b: shapely.Geometry, pose: Pose) -> shapely.Ge
     """Translations of A at the pose that make it overlap B."""
     moving = [placed(t, pose) for t in triangles(a)]
     sums = [(y[:, None] - x[None]).reshape(-1, 2) for x in moving for y in triangles(b)]
-    return shapely.union_all([shapely.MultiPoint(points).convex_hull for points in sums])
+    return shapely.union_all([shapely.multipoints(points).convex_hull for points in sums])
 
 
 def signed_depth(a: shapely.Geometry, b: shapely.Geometry, pose: Pose) -> float:

@@ -64,7 +64,7 @@ def test_published_form_is_the_published_formula() -> None:
         A, B = pdg.convex_pieces(blob(random, 2)), pdg.convex_pieces(blob(random, 3))
         cell = random_cell(random)
         radius = max(np.hypot(*p.T).max() for p in A)
-        depth = pdg.generalized_depth_lower_bound(A, B, cell[:3]).depth
+        depth = pdg.generalized_depth_lower_bound(A, B, cell[:3]).lower
         margin = depth - (cell[3] + cell[4] + radius * cell[5])
         got = pdg.c_obstacle_query(A, B, cell, "published")
         if depth > 0:
@@ -123,7 +123,7 @@ def test_motion_bounds() -> None:
         ((0, 0, 0, 1, -1, 0), "per-normal", "cell[4]: a half-extent must not be negative"),
         ((0, 0, 0, 1, 1), "per-normal", "expected 6 numbers"),
         ((0, 0, math.inf, 1, 1, 1), "per-normal", "cell[2]: must be finite"),
-        ((0, 0, 0, 1, 1, 1), "guess", "method: expected one of"),
+        ((0, 0, 0, 1, 1, 1), "guess", 'method: expected "published"'),
     ],
 )
 def test_bad_arguments_are_refused(cell: tuple[float, ...], method: Any, words: str) -> None:

@@ -38,22 +38,22 @@ def check(body: Any, obstacle: Any, pose: Pose, A: Any = None, B: Any = None) ->
     """Return UB1 after checking everything that is promised of both bounds at one pose."""
     A = pdg.convex_pieces(body) if A is None else A
     B = pdg.convex_separators(obstacle) if B is None else B
-    lower = pdg.generalized_depth_lower_bound(A, B.pieces, pose).depth
+    lower = pdg.generalized_depth_lower_bound(A, B.pieces, pose).lower
     first = pdg.generalized_depth_upper_bound(A, B, pose)
     second = pdg.generalized_depth_upper_bound(A, B, pose, method="hulls")
     best = pdg.generalized_depth_upper_bound(A, B, pose, method="best")
-    assert lower <= best.displacement <= first.displacement <= second.displacement
-    assert best.distance <= first.distance <= second.distance
+    assert lower <= best.upper <= first.upper <= second.upper
+    assert best.distance_upper <= first.distance_upper <= second.distance_upper
     for bound in (best, first, second):
-        assert bound.displacement <= bound.distance
-        assert_free(body, obstacle, bound.displaced.pose)
-        assert_free(body, obstacle, bound.distanced.pose)
-        moved = pdg.displacement(A, pose, bound.displaced.pose)
-        assert moved == pytest.approx(bound.displacement, rel=1e-14)
-        _, far = pdg.generalized_distance_bounds(A, pose, bound.distanced.pose)
-        assert far == pytest.approx(bound.distance, rel=1e-14)
+        assert bound.upper <= bound.distance_upper
+        assert_free(body, obstacle, bound.placement.pose)
+        assert_free(body, obstacle, bound.distance_placement.pose)
+        moved = pdg.displacement(A, pose, bound.placement.pose)
+        assert moved == pytest.approx(bound.upper, rel=1e-14)
+        _, far = pdg.generalized_distance_bracket(A, pose, bound.distance_placement.pose)
+        assert far == pytest.approx(bound.distance_upper, rel=1e-14)
     if lower == 0:
-        assert (first.displacement, first.displaced.source) == (0, "free")
+        assert (first.upper, first.placement.source) == (0, "free")
     return first
 
 
@@ -62,15 +62,15 @@ def test_sweeps(model: Model) -> None:
     A, B = pdg.convex_pieces(model.moving), pdg.convex_separators(model.fixed)
     poses = model.configurations(SAMPLES)
     bounds = [check(model.moving, model.fixed, tuple(q), A, B) for q in poses]
-    hulls = pdg.generalized_depth_upper_bound(A, B, poses, method="hulls").displacement
-    gains = hulls - [bound.displacement for bound in bounds]
+    hulls = pdg.generalized_depth_upper_bound(A, B, poses, method="hulls").upper
+    gains = hulls - [bound.upper for bound in bounds]
     assert np.median(gains / hulls) > 0.2  # the separators are of use
     for q, bound in zip(poses[::2], bounds[::2], strict=True):
-        found = pdg.bracket(A, B, q, rel_tol=0.01)
-        lower = pdg.generalized_depth_lower_bound(A, B.pieces, q).depth
-        assert lower - ROUNDING <= found.lo <= found.hi
-        assert found.hi <= bound.displacement + ROUNDING
-        assert found.distance_hi <= bound.distance + ROUNDING
+        found = pdg.generalized_depth_bracket(A, B, q, relative_tolerance=0.01)
+        lower = pdg.generalized_depth_lower_bound(A, B.pieces, q).lower
+        assert lower - ROUNDING <= found.lower <= found.upper
+        assert found.upper <= bound.upper + ROUNDING
+        assert found.distance_upper <= bound.distance_upper + ROUNDING
 
 
 def test_convex_pairs_give_the_translational_depth() -> None:
@@ -80,8 +80,8 @@ def test_convex_pairs_give_the_translational_depth() -> None:
         q = tuple(random.uniform(-3, 3, 3))
         bound = check(shapely.Polygon(a), shapely.Polygon(b), q)
         depth = max(0.0, pdg.translational_depth(a, b, q).depth)
-        assert bound.displacement == pytest.approx(depth, abs=1e-12)
-        assert bound.distance == pytest.approx(depth, abs=1e-12)
+        assert bound.upper == pytest.approx(depth, abs=1e-12)
+        assert bound.distance_upper == pytest.approx(depth, abs=1e-12)
 
 
 def test_random_bodies_with_pockets_and_holes() -> None:
@@ -93,7 +93,7 @@ def test_random_bodies_with_pockets_and_holes() -> None:
         body = shapely.transform(body, lambda points, size=size: size * points)
         at = shapely.get_coordinates(obstacle.centroid)[0]
         bound = check(body, obstacle, (*(at + random.normal(0, 1.5, 2)), random.uniform(-4, 4)))
-        sources.append(bound.displaced.source)
+        sources.append(bound.placement.source)
     assert sources.count("separator") > 30
     assert sources.count("hulls") > 5
 
@@ -164,7 +164,7 @@ def container_cases(count: int) -> list[tuple[NDArray[np.float64], shapely.Polyg
         block = shapely.box(-60, -60, 60, 60).difference(shapely.Polygon(hole))
         q = (*random.uniform(-2.5, 2.5, 2), random.uniform(-3, 3))
         bound = pdg.generalized_depth_upper_bound(hull, block, q)
-        if bound.displaced.source == "separator":
+        if bound.placement.source == "separator":
             cases.append((hull, block, q))
     return cases
 
@@ -176,12 +176,12 @@ def test_placements_in_a_container_are_the_least_over_all_angles() -> None:
         assert len(separators) == 1
         (sides,) = separators
         bound = pdg.generalized_depth_upper_bound(hull, separators, q)
-        at_angle = least_in_container(hull, q, sides, bound.displaced.pose[2], corners)
-        assert at_angle <= bound.displacement * (1 + 1e-9)
-        assert bound.displacement * math.cos(math.pi / corners) <= at_angle + 1e-9
+        at_angle = least_in_container(hull, q, sides, bound.placement.pose[2], corners)
+        assert at_angle <= bound.upper * (1 + 1e-9)
+        assert bound.upper * math.cos(math.pi / corners) <= at_angle + 1e-9
         for theta in q[2] + np.linspace(-np.pi, np.pi, 181):
             least = least_in_container(hull, q, sides, theta, corners)
-            assert bound.displacement * math.cos(math.pi / corners) <= least * (1 + 1.1e-3)
+            assert bound.upper * math.cos(math.pi / corners) <= least * (1 + 1.1e-3)
 
 
 def two_levels(hull: NDArray[np.float64], q0: Pose, sides: NDArray[np.float64]) -> float:
@@ -248,7 +248,7 @@ def test_never_worse_than_the_papers_two_levels_of_linear_programmes() -> None:
     for hull, block, q in container_cases(12):
         separators = pdg.convex_separators(block)
         (sides,) = separators
-        bound = pdg.generalized_depth_upper_bound(hull, separators, q).displacement
+        bound = pdg.generalized_depth_upper_bound(hull, separators, q).upper
         published = two_levels(hull, q, sides)
         assert bound <= published * (1 + 1.1e-3)
         found += math.isfinite(published)
@@ -273,7 +273,7 @@ def test_a_dense_grid_finds_nothing_much_better_in_a_hole() -> None:
     least = pdg.displacement(body, q0, poses[free]).min()
     radius = math.hypot(0.8, 1.0)
     cell = math.hypot(step / 2, step / 2) + radius * turn / 2
-    assert least - 2 * cell <= bound.displacement <= least * (1 + 1.1e-3)
+    assert least - 2 * cell <= bound.upper <= least * (1 + 1.1e-3)
 
 
 def test_a_batch_is_its_rows() -> None:
@@ -294,8 +294,9 @@ def test_drawing_back_is_of_use_where_hulls_say_little() -> None:
     A, B = pdg.convex_pieces(model.moving), pdg.convex_separators(model.fixed)
     first = pdg.generalized_depth_upper_bound(A, B, poses)
     best = pdg.generalized_depth_upper_bound(A, B, poses, method="best")
-    assert best.drawn_back.all()
-    assert (best.displacement < 0.95 * first.displacement).all()
+    assert best.placement.drawn_back.all()
+    assert best.distance_placement.drawn_back.all()
+    assert (best.upper < 0.95 * first.upper).all()
 
 
 def test_polygons_of_one_body_may_overlap() -> None:
@@ -303,8 +304,8 @@ def test_polygons_of_one_body_may_overlap() -> None:
     union = shapely.union_all(obstacle)
     body = shapely.box(-0.8, -0.8, 0.8, 0.8)
     bound = pdg.generalized_depth_upper_bound(body, obstacle, (0.0, -0.5, 0.0))
-    assert_free(body, union, bound.displaced.pose)
-    assert bound.displacement >= 0.3 - 1e-12
+    assert_free(body, union, bound.placement.pose)
+    assert bound.upper >= 0.3 - 1e-12
 
 
 def test_far_from_the_origin() -> None:
@@ -316,9 +317,9 @@ def test_far_from_the_origin() -> None:
             pose = (q[0] + shift, q[1] + shift, q[2])
             bound = pdg.generalized_depth_upper_bound(model.moving, moved, pose)
             near = pdg.generalized_depth_upper_bound(model.moving, model.fixed, tuple(q))
-            free = pdg.generalized_depth_lower_bound(model.moving, moved, bound.displaced.pose)
+            free = pdg.generalized_depth_lower_bound(model.moving, moved, bound.placement.pose)
             assert free.pair is None
-            assert bound.displacement == pytest.approx(near.displacement, abs=2e-3 + 1e-13 * shift)
+            assert bound.upper == pytest.approx(near.upper, abs=2e-3 + 1e-13 * shift)
 
 
 def test_bad_arguments_are_refused() -> None:
@@ -375,5 +376,5 @@ def test_bodies_of_a_few_roundings_end_and_are_free() -> None:
     pose = (-0.37101509228458196, 0.1975431871568205, 0.0)
     for method in ("separators", "best"):
         got = pdg.generalized_depth_upper_bound(a, b, pose, method=method)
-        assert got.displacement < 1e-12
-        assert pdg.translational_depth(a, b, got.displaced.pose).state != "overlap"
+        assert got.upper < 1e-12
+        assert pdg.translational_depth(a, b, got.placement.pose).state != "overlap"

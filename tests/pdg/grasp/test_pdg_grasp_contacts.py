@@ -123,7 +123,7 @@ def test_values_keep_the_promised_rounding(norm, idle, size):
         each = c @ u.astype(wide) + np.sqrt((v * v).sum(axis=1))
         pushes = np.maximum(each, 0) if idle else each
         exact = pushes.max() if norm == "l1" else pushes.sum()
-        promised = float(np.abs(u) @ np.array(W.core.error()))
+        promised = float(np.abs(u) @ np.array(W._native.error()))
         value, point = W.support(u)
         off = max(
             abs(float(value - exact)), abs(float(point.astype(wide) @ u.astype(wide) - exact))

@@ -267,7 +267,7 @@ def test_two_point_contacts_do_not_resist_turning_about_their_line():
 def test_limits_are_passed_on():
     W = grasp_wrench_set(_opposed(3))
     early = force_efficiency(W, None, 1e-6, max_iterations=20, history=True)
-    assert early.distance.reason == "iterations"
+    assert early.distance.stop_reason == "max_iterations"
     assert len(early.distance.history) >= 20
     assert early.lower <= TABLE["a1"][1] <= early.upper
 
@@ -278,8 +278,8 @@ def test_limits_are_passed_on():
         (lambda W: force_efficiency(W, Ball(3)), "Q", 3),
         (lambda W: force_efficiency(W, "ball"), "Q", "ball"),
         (lambda W: force_efficiency(W, Ball(6, centre=[2, 0, 0, 0, 0, 0])), "Q", None),
-        (lambda W: force_efficiency(W, None, -1.0), "eps", -1.0),
-        (lambda W: force_closure(W, -1.0), "time_limit", -1.0),
+        (lambda W: force_efficiency(W, None, -1.0), "absolute_tolerance", -1.0),
+        (lambda W: force_closure(W, -1.0), "timeout", -1.0),
     ],
 )
 def test_bad_arguments(call, name, value):

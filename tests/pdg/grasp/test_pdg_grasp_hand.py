@@ -320,7 +320,7 @@ def test_a_length_makes_the_result_free_of_units():
         (lambda: finger(CONTACT, [prismatic((1, 0, 0))], [[np.inf]]), "coupling", 0, np.inf),
         (lambda: finger(CONTACT, [prismatic((1, 0, 0))], modes=["loose"]), "modes", 0, "loose"),
         (lambda: finger(CONTACT, [prismatic((1, 0, 0))], modes=[]), "modes", None, 0),
-        (lambda: active_wrench_set([]), "contacts", None, 0),
+        (lambda: active_wrench_set([]), "fingers", None, 0),
         (lambda: active_wrench_set([CONTACT]), "fingers", 0, None),
         (lambda: finger_forces(with_jacobian(np.eye(4)), -1), "length", None, -1),
     ],

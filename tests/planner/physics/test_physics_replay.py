@@ -74,7 +74,7 @@ def test_depth_agrees_with_pdg_along_a_wrong_path() -> None:
     some = found.configurations[::37]
     world = make_world(problem, dynamic=False)
     for q in some.tolist():
-        depth = pdg.generalized_depth_lower_bound(robot, obstacles, q).depth
+        depth = pdg.generalized_depth_lower_bound(robot, obstacles, q).lower
         answer = max(touched(world, tuple(q))[0].values(), default=0.0)
         assert answer == pytest.approx(depth, abs=1e-8)
     assert not found.free

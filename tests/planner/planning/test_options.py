@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import re
 from typing import Any
 
 import pytest
 
 from planar_planner._core import Limits
+from planar_planner.cli.arguments.limits import options_of
+from planar_planner.cli.parser import make_parser
 from planar_planner.errors import OptionsError
 from planar_planner.planning.options import Options
 
@@ -16,6 +19,20 @@ from planar_planner.planning.options import Options
 def test_defaults_are_those_of_the_core() -> None:
     names = {name for name in dir(Limits) if not name.startswith("_")}
     assert dataclasses.asdict(Options()) == {name: getattr(Limits(), name) for name in names}
+
+
+def test_the_command_line_has_the_same_defaults() -> None:
+    for command in ("solve", "check"):
+        assert options_of(make_parser().parse_args([command, "gear"])) == Options()
+
+
+def test_the_help_states_the_memory_that_is_the_default(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        make_parser().parse_args(["solve", "--help"])
+    stated = re.search(r"unit K, M, G\s+or T\s+\(default:\s+(\w+)\)", capsys.readouterr().out)
+    assert stated is not None
+    arguments = make_parser().parse_args(["solve", "gear", "--max-memory", stated[1]])
+    assert options_of(arguments) == Options()
 
 
 def test_defaults_are_finite() -> None:

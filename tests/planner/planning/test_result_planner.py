@@ -11,14 +11,14 @@ import numpy as np
 import pytest
 
 import planar_planner
+from planar_planner import Planner, _core
 from support.stand_in_core import FREE, FakeCore
 
 
 def test_public_names_resolve() -> None:
     for name in planar_planner.__all__:
-        if name not in ("solve", "Planner"):  # these need the core
-            assert getattr(planar_planner, name) is not None
-            assert name in dir(planar_planner)
+        assert getattr(planar_planner, name) is not None
+        assert name in dir(planar_planner)
     with pytest.raises(AttributeError, match="nonsense"):
         assert planar_planner.nonsense
 
@@ -93,3 +93,12 @@ def test_public_functions_say_what_they_take() -> None:
 
     for part in ("Parameters", "Returns", "Raises"):
         assert part in (inspect.getdoc(load_scene) or "")
+
+
+def test_a_real_core_is_noticed_where_a_stand_in_is_planted(
+    fake_core: type[FakeCore], scene_dict: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("planar_planner.planning.engine.Core", _core.Core)
+    with pytest.raises(AssertionError, match="the real core was asked"):
+        Planner(scene_dict).solve()
+    assert fake_core.built == []

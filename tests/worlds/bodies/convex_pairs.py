@@ -17,7 +17,7 @@ Family = Callable[[np.random.Generator], Bodies]
 
 def hull(points: Array) -> Array:
     """Return the convex hull, counter-clockwise."""
-    shape = shapely.orient_polygons(shapely.MultiPoint(points).convex_hull)
+    shape = shapely.orient_polygons(shapely.multipoints(points).convex_hull)
     return np.asarray(shapely.get_coordinates(shape.exterior)[:-1])
 
 

@@ -12,7 +12,7 @@ from oracles.placing import Array
 def convex(random: np.random.Generator, size: float = 5.0, corners: int = 9) -> Array:
     """Hull of random points: strictly convex, counter-clockwise."""
     points = random.uniform(-size, size, (int(random.integers(3, corners + 1)), 2))
-    hull = shapely.MultiPoint(points).convex_hull
+    hull = shapely.multipoints(points).convex_hull
     return np.asarray(shapely.get_coordinates(shapely.orient_polygons(hull).exterior)[:-1])
 
 

@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
-from pdg import _core, _gate
+from pdg import _gate
+from pdg.aliases import RealArray, Rows
 from pdg.bodies import shapes
-from pdg.bodies.piece_set import ConvexPieces
-from pdg.errors import PdgError
+from pdg.bodies.body import Body
+from pdg.bodies.defects import polygon_defect
+from pdg.bodies.piece_set import ConvexPieces, decompose
+from pdg.errors import BodyError, PdgError
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
-
-def convex_pieces(body: Any, *, cover: bool = True, name: str = "body") -> ConvexPieces:
+def convex_pieces(body: Body, *, cover: bool = True, name: str = "body") -> ConvexPieces:
     """Decompose polygons into convex pieces, exactly and without new vertices.
 
     Parameters
     ----------
-    body : array_like of shape (n, 2), anything shapely reads, ConvexPieces, or a list of these
+    body : Body
+        Coordinates of shape (n, 2), anything shapely reads, ConvexPieces, or a list of these.
         One ring as coordinates; a shapely Polygon, MultiPolygon, LinearRing or GeometryCollection
         of polygons; WKT; WKB (bytes or hexadecimal); GeoJSON as text, mapping or by
         ``__geo_interface__``. A list (or an array of shape (k, n, 2)) is the union of its items.
@@ -43,30 +44,71 @@ def convex_pieces(body: Any, *, cover: bool = True, name: str = "body") -> Conve
 
     Raises
     ------
+    BodyError
+        For rings of fewer than three distinct points, coordinates that are not finite or out of
+        range, edges that cross, holes outside their shell, z coordinates, and bodies without area.
     PdgError
-        For rings of fewer than three distinct points, non-finite coordinates, edges that cross,
-        holes outside their shell, z coordinates, bodies without area, and a `cover` that is no
-        bool.
+        For a `cover` that is not a bool.
     """
     whole = _gate.flag(cover, "cover")
     if isinstance(body, ConvexPieces):
         return body
     polygons = shapes.polygons(body, name)
     _check_holes(polygons, name)
+    return _decomposed(polygons, whole, name)
+
+
+def even_odd_pieces(
+    rings: Sequence[RealArray | Rows], *, cover: bool = True, name: str = "rings"
+) -> ConvexPieces:
+    """Decompose what an odd number of rings surrounds into convex pieces, exactly.
+
+    Rings may lie in any order and in each other, an island in a hole included; `convex_pieces`
+    takes a polygon's outer ring first and refuses such holes.
+
+    Parameters
+    ----------
+    rings : sequence of array_like of shape (n, 2)
+        At least one. Rings may have either orientation, collinear and repeated vertices, and may
+        touch in points; edges must not cross.
+    cover, name : optional
+        As for `convex_pieces`.
+
+    Returns
+    -------
+    ConvexPieces
+        Their union is the region exactly; every vertex is an input vertex.
+
+    Raises
+    ------
+    BodyError
+        For rings of fewer than three distinct points, coordinates that are not finite or out of
+        range, edges that cross, and a region without area.
+    PdgError
+        For no rings, and a `cover` that is not a bool.
+    """
+    whole = _gate.flag(cover, "cover")
+    checked = [_gate.ring(ring, f"{name}[{i}]") for i, ring in enumerate(_gate.items(rings, name))]
+    if not checked:
+        raise PdgError("at least one ring is needed", name)
+    return _decomposed([checked], whole, name)
+
+
+def _decomposed(polygons: list[shapes.Rings], cover: bool, name: str) -> ConvexPieces:
     try:
-        core = _core.PieceSet(*_flat(polygons), whole)
+        pieces = decompose(*_flat(polygons), cover)
     except ValueError as error:
-        raise PdgError(str(error), name) from error
-    if len(core) == 0:
-        raise PdgError("the polygon has no area", name)
-    return ConvexPieces(core)
+        raise BodyError(str(error), name) from error
+    if len(pieces) == 0:
+        raise BodyError("the polygon has no area", name)
+    return pieces
 
 
 def _check_holes(polygons: list[shapes.Rings], name: str) -> None:
     """Refuse what the core, which takes the even-odd interior, would misread: stray holes."""
     with_holes = [polygon for polygon in polygons if len(polygon) > 1]
-    if with_holes and (defect := _core.first_defect(*_flat(with_holes))) is not None:
-        raise PdgError(f"invalid polygon: {defect[1]}", name)
+    if with_holes and (defect := polygon_defect(*_flat(with_holes))) is not None:
+        raise BodyError(f"invalid polygon: {defect}", name)
 
 
 def _flat(

@@ -8,16 +8,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeGuard
+from typing import Any, TypeGuard
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg._gate import ring
 from pdg.bodies.piece_set import ConvexPieces
-from pdg.errors import PdgError
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from pdg.errors import BodyError
 
 Rings = list["NDArray[np.float64]"]
 _HEXADECIMAL = frozenset("0123456789abcdefABCDEF")
@@ -34,7 +32,7 @@ def polygons(value: object, name: str) -> list[Rings]:
     try:
         return _polygons(value, name)
     except RecursionError as error:
-        raise PdgError("nested too deeply, or within itself", name, value=value) from error
+        raise BodyError("nested too deeply, or within itself", name, value=value) from error
 
 
 def _polygons(value: object, name: str) -> list[Rings]:
@@ -96,7 +94,7 @@ def _geometry(value: object, name: str) -> Any:
         NotImplementedError,  # curves
         RecursionError,
     ) as error:
-        raise PdgError(f"not a geometry: {error}", name) from error
+        raise BodyError(f"not a geometry: {error}", name) from error
 
 
 def _from_text(text: str) -> Any:
@@ -125,16 +123,16 @@ def _polygons_of(geometry: Any, name: str) -> list[Rings]:
     import shapely
 
     if geometry.is_empty:
-        raise PdgError("the geometry is empty", name)
+        raise BodyError("the geometry is empty", name)
     kind = geometry.geom_type
     if kind in _COLLECTIONS:
         parts = [part for part in geometry.geoms if not part.is_empty]
         return [rings for part in parts for rings in _polygons_of(part, name)]
     if kind not in ("Polygon", "LinearRing"):
         expected = "expected a Polygon, a MultiPolygon or a GeometryCollection of them"
-        raise PdgError(expected, name, value=kind)
+        raise BodyError(expected, name, value=kind)
     if geometry.has_z:
-        raise PdgError("the geometry has z coordinates; see shapely.force_2d", name)
+        raise BodyError("the geometry has z coordinates; see shapely.force_2d", name)
     if kind == "LinearRing":
         return [[ring(shapely.get_coordinates(geometry), name)]]
     lines = (geometry.exterior, *geometry.interiors)

@@ -6,13 +6,16 @@ Source: [PDG] Zhang, Kim, Varadhan, Manocha, *Generalized Penetration Depth Comp
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, overload
+from typing import overload
 
 import numpy as np
 
 from pdg import _core, _gate
+from pdg.aliases import RealArray, Rows
+from pdg.bodies.body import Body
 from pdg.bodies.pieces import convex_pieces
 from pdg.depths.results import (
+    NO_PAIR,
     DepthLowerBound,
     DepthLowerBounds,
     TranslationalDepth,
@@ -20,22 +23,18 @@ from pdg.depths.results import (
     many_depths,
     one_depth,
 )
-from pdg.errors import PdgError
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-_OUT_OF_RANGE = "places the body outside the range of exact arithmetic"
-_HERE = (0.0, 0.0, 0.0)
-_NO_PAIR = DepthLowerBound(0.0, None, None)
 
 
 @overload
-def translational_depth(A: Any, B: Any, pose: Sequence[float] = ...) -> TranslationalDepth: ...
+def translational_depth(A: Body, B: Body, pose: Sequence[float] = ...) -> TranslationalDepth: ...
 @overload
-def translational_depth(A: Any, B: Any, pose: Any) -> Any: ...
+def translational_depth(A: Body, B: Body, pose: Rows) -> TranslationalDepths: ...
+@overload
 def translational_depth(
-    A: Any, B: Any, pose: Any = _HERE
+    A: Body, B: Body, pose: RealArray
+) -> TranslationalDepth | TranslationalDepths: ...
+def translational_depth(
+    A: Body, B: Body, pose: Sequence[float] | Rows | RealArray = _gate.HERE
 ) -> TranslationalDepth | TranslationalDepths:
     """Return the translational penetration depth PD^t of two bodies.
 
@@ -71,22 +70,26 @@ def translational_depth(
     q = _gate.poses(pose, "pose")
     if isinstance(q, tuple):
         try:
-            return one_depth(_core.translational_depth(pieces_a.core, pieces_b.core, q))
+            return one_depth(_core.translational_depth(pieces_a._native, pieces_b._native, q))
         except ValueError as error:
-            raise PdgError(_OUT_OF_RANGE, "pose", value=q) from error
-    bad, states, rows = _core.translational_depths(pieces_a.core, pieces_b.core, q)
-    _check_placed(bad, q)
+            raise _gate.out_of_range(q) from error
+    bad, states, rows = _core.translational_depths(pieces_a._native, pieces_b._native, q)
+    _gate.check_placed(bad, q, single=False)
     return many_depths((states, rows))
 
 
 @overload
 def generalized_depth_lower_bound(
-    A: Any, B: Any, pose: Sequence[float] = ...
+    A: Body, B: Body, pose: Sequence[float] = ...
 ) -> DepthLowerBound: ...
 @overload
-def generalized_depth_lower_bound(A: Any, B: Any, pose: Any) -> Any: ...
+def generalized_depth_lower_bound(A: Body, B: Body, pose: Rows) -> DepthLowerBounds: ...
+@overload
 def generalized_depth_lower_bound(
-    A: Any, B: Any, pose: Any = _HERE
+    A: Body, B: Body, pose: RealArray
+) -> DepthLowerBound | DepthLowerBounds: ...
+def generalized_depth_lower_bound(
+    A: Body, B: Body, pose: Sequence[float] | Rows | RealArray = _gate.HERE
 ) -> DepthLowerBound | DepthLowerBounds:
     """Return a lower bound of the generalized penetration depth PD^g of two bodies.
 
@@ -119,18 +122,14 @@ def generalized_depth_lower_bound(
     q = _gate.poses(pose, "pose")
     if isinstance(q, tuple):
         try:
-            found = _core.generalized_depth_lower_bound(pieces_a.core, pieces_b.core, q)
+            found = _core.generalized_depth_lower_bound(pieces_a._native, pieces_b._native, q)
         except ValueError as error:
-            raise PdgError(_OUT_OF_RANGE, "pose", value=q) from error
+            raise _gate.out_of_range(q) from error
         depth, i, j, pair = found
-        return DepthLowerBound(depth, (i, j), one_depth(pair)) if i >= 0 else _NO_PAIR
-    bad, pairs, states, rows = _core.generalized_depth_lower_bounds(pieces_a.core, pieces_b.core, q)
-    _check_placed(bad, q)
+        return DepthLowerBound(depth, (i, j), one_depth(pair)) if i >= 0 else NO_PAIR
+    bad, pairs, states, rows = _core.generalized_depth_lower_bounds(
+        pieces_a._native, pieces_b._native, q
+    )
+    _gate.check_placed(bad, q, single=False)
     witness = many_depths((states, rows))
     return DepthLowerBounds(np.where(pairs[:, 0] >= 0, witness.depth, 0.0), pairs, witness)
-
-
-def _check_placed(bad: int, poses: NDArray[np.float64]) -> None:
-    """Raise for the row, if any, at which the core stopped."""
-    if bad >= 0:
-        raise PdgError(_OUT_OF_RANGE, "pose", bad, poses[bad].tolist())

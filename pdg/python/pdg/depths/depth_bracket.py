@@ -3,127 +3,123 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core, _gate
-from pdg._constants import MOST_COUNTED
+from pdg.aliases import Pose, RealArray, Rows
+from pdg.bodies.body import Body
 from pdg.bodies.pieces import convex_pieces
+from pdg.depths.batch import Batch
 from pdg.depths.upper_bounds import ConvexSeparators
-from pdg.errors import PdgError
+from pdg.stop_reason import StopReason
+from pdg.tolerances import MOST_COUNTED
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-Pose = tuple[float, float, float]
-StopReason = Literal["tolerance", "time", "nodes", "rounding"]
-_REASONS: tuple[StopReason, ...] = ("tolerance", "time", "nodes", "rounding")
-_HERE = (0.0, 0.0, 0.0)
+# In the order of the core's BracketEnd.
+_ENDS = (StopReason.CONVERGED, StopReason.TIMEOUT, StopReason.MAX_NODES, StopReason.ROUNDING)
 
 
 @dataclass(frozen=True, slots=True)
 class DepthBracket:
-    """lo <= PD^g <= hi under DISP, and lo <= PD^g <= distance_hi under D_g.
+    """lower <= PD^g <= upper under DISP, and lower <= PD^g <= distance_upper under D_g.
 
     Attributes
     ----------
-    lo, hi : float
+    lower, upper : float
         Bounds of PD^g under the displacement metric DISP (length); both 0 where the interiors do
-        not meet. `lo` holds for the exact geometry of the doubles given.
+        not meet. `lower` holds for the exact geometry of the doubles given.
     pose : tuple of float
-        A free configuration (x, y, theta) with DISP(q, pose) <= hi: the exact test finds no
+        A free configuration (x, y, theta) with DISP(q, pose) <= upper: the exact test finds no
         interiors of pieces meeting, for A's vertices as placed in doubles.
-    distance_hi : float
-        Upper bound of PD^g under D_g; `lo` is its lower bound, as DISP <= D_g.
+    distance_upper : float
+        Upper bound of PD^g under D_g; `lower` is its lower bound, as DISP <= D_g.
     distance_pose : tuple of float
-        A free configuration whose D_g from q is at most that.
+        A free configuration whose D_g from q is at most `distance_upper`.
     nodes, slices : int
         Ranges of angles judged, and Minkowski slices made.
-    stopped : {"tolerance", "time", "nodes", "rounding"}
-        Why the search ended; "rounding": the doubles allow no narrower bracket.
+    stop_reason : StopReason
+        CONVERGED, TIMEOUT, MAX_NODES or ROUNDING.
     """
 
-    lo: float
-    hi: float
+    lower: float
+    upper: float
     pose: Pose
-    distance_hi: float
+    distance_upper: float
     distance_pose: Pose
     nodes: int
     slices: int
-    stopped: StopReason
+    stop_reason: StopReason
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class DepthBrackets:
+class DepthBrackets(Batch[DepthBracket]):
     """Brackets of PD^g for n poses, one array a field; ``self[i]`` is the `DepthBracket` of row i.
 
     Attributes
     ----------
-    lo, hi, distance_hi : ndarray, shape (n,)
+    lower, upper, distance_upper : ndarray, shape (n,)
     pose, distance_pose : ndarray, shape (n, 3)
     nodes, slices : ndarray of int, shape (n,)
-    stopped : ndarray of str, shape (n,)
+    stop_reason : ndarray of str, shape (n,)
+        Values of `StopReason`.
     """
 
-    lo: NDArray[np.float64]
-    hi: NDArray[np.float64]
+    lower: NDArray[np.float64]
+    upper: NDArray[np.float64]
     pose: NDArray[np.float64]
-    distance_hi: NDArray[np.float64]
+    distance_upper: NDArray[np.float64]
     distance_pose: NDArray[np.float64]
     nodes: NDArray[np.uint64]
     slices: NDArray[np.uint64]
-    stopped: NDArray[np.str_]
+    stop_reason: NDArray[np.str_]
 
-    def __len__(self) -> int:
-        return len(self.lo)
-
-    def __getitem__(self, row: int) -> DepthBracket:
-        return DepthBracket(
-            float(self.lo[row]),
-            float(self.hi[row]),
-            _pose(self.pose[row]),
-            float(self.distance_hi[row]),
-            _pose(self.distance_pose[row]),
-            int(self.nodes[row]),
-            int(self.slices[row]),
-            _REASONS[_REASONS.index(self.stopped[row])],
-        )
-
-    def __iter__(self) -> Iterator[DepthBracket]:
-        return (self[row] for row in range(len(self)))
+    def _row(self, row: int) -> DepthBracket:
+        *values, stop_reason = self._values(row)
+        return DepthBracket(*[*values, StopReason(stop_reason)])
 
 
 @overload
-def bracket(
-    A: Any,
-    B: Any,
+def generalized_depth_bracket(
+    A: Body,
+    B: Body | ConvexSeparators,
     pose: Sequence[float] = ...,
-    rel_tol: float = ...,
+    relative_tolerance: float = ...,
     *,
-    time_limit: float | None = ...,
-    node_limit: int | None = ...,
+    timeout: float | None = ...,
+    max_nodes: int | None = ...,
 ) -> DepthBracket: ...
 @overload
-def bracket(
-    A: Any,
-    B: Any,
-    pose: Any,
-    rel_tol: float = ...,
+def generalized_depth_bracket(
+    A: Body,
+    B: Body | ConvexSeparators,
+    pose: Rows,
+    relative_tolerance: float = ...,
     *,
-    time_limit: float | None = ...,
-    node_limit: int | None = ...,
-) -> Any: ...
-def bracket(
-    A: Any,
-    B: Any,
-    pose: Any = _HERE,
-    rel_tol: float = 1e-3,
+    timeout: float | None = ...,
+    max_nodes: int | None = ...,
+) -> DepthBrackets: ...
+@overload
+def generalized_depth_bracket(
+    A: Body,
+    B: Body | ConvexSeparators,
+    pose: RealArray,
+    relative_tolerance: float = ...,
     *,
-    time_limit: float | None = None,
-    node_limit: int | None = None,
+    timeout: float | None = ...,
+    max_nodes: int | None = ...,
+) -> DepthBracket | DepthBrackets: ...
+def generalized_depth_bracket(
+    A: Body,
+    B: Body | ConvexSeparators,
+    pose: Sequence[float] | Rows | RealArray = _gate.HERE,
+    relative_tolerance: float = 1e-3,
+    *,
+    timeout: float | None = None,
+    max_nodes: int | None = None,
 ) -> DepthBracket | DepthBrackets:
     """Bracket the generalized penetration depth PD^g of two bodies.
 
@@ -139,16 +135,16 @@ def bracket(
     A, B : body
         As in `convex_pieces`: any polygons. Pass `ConvexPieces` to decompose once for many queries.
         B may be `ConvexSeparators`: the search then begins with the free poses of
-        `generalized_depth_upper_bound`, so that `hi` is no more than that bound.
+        `generalized_depth_upper_bound`, so that `upper` is no more than that bound.
     pose : array_like of shape (3,) or (n, 3)
         Configuration (x, y, theta) of A, theta in radians. Many rows are done in one call, without
         the interpreter's lock.
-    rel_tol : float
-        The search ends when hi - lo <= rel_tol * hi.
-    time_limit : float, optional
-        Seconds, for each pose, after which it ends; looked at between nodes.
-    node_limit : int, optional
-        Nodes, for each pose, after which it ends. Even 0 gives a bracket.
+    relative_tolerance : float
+        The search ends when upper - lower <= relative_tolerance * upper.
+    timeout : float, optional
+        Seconds for each pose; the clock is read between nodes. By default there is no limit.
+    max_nodes : int, optional
+        Ranges of angles judged for each pose. Even 0 gives a bracket. By default there is no limit.
 
     Returns
     -------
@@ -162,23 +158,20 @@ def bracket(
         batch), and limits that are negative or not numbers.
     """
     pieces_a = convex_pieces(A, name="A")
-    prepared = isinstance(B, ConvexSeparators)
-    pieces_b = B.pieces if prepared else convex_pieces(B, name="B")
-    separators = B.core if prepared else None
+    if isinstance(B, ConvexSeparators):
+        pieces_b, separators = B.pieces, B._native
+    else:
+        pieces_b, separators = convex_pieces(B, name="B"), None
     q = _gate.poses(pose, "pose")
-    tolerance = _gate.length(rel_tol, "rel_tol")
-    seconds = math.inf if time_limit is None else _gate.seconds(time_limit, "time_limit")
-    nodes = MOST_COUNTED if node_limit is None else _gate.count(node_limit, "node_limit")
+    tolerance = _gate.length(relative_tolerance, "relative_tolerance")
+    seconds = math.inf if timeout is None else _gate.seconds(timeout, "timeout")
+    nodes = MOST_COUNTED if max_nodes is None else _gate.count(max_nodes, "max_nodes")
     rows = np.atleast_2d(np.asarray(q))
     bad, numbers, counts, ends = _core.bracket_depths(
-        pieces_a.core, pieces_b.core, separators, rows, tolerance, seconds, nodes
+        pieces_a._native, pieces_b._native, separators, rows, tolerance, seconds, nodes
     )
-    if bad >= 0:
-        problem = "places the body outside the range of exact arithmetic"
-        raise PdgError(problem, "pose", None if isinstance(q, tuple) else bad, rows[bad].tolist())
-    if isinstance(q, tuple):
-        return _bracket(numbers[0].tolist(), counts[0].tolist(), _REASONS[ends[0]])
-    return DepthBrackets(
+    _gate.check_placed(bad, rows, isinstance(q, tuple))
+    brackets = DepthBrackets(
         numbers[:, 0],
         numbers[:, 1],
         numbers[:, 2:5],
@@ -186,17 +179,6 @@ def bracket(
         numbers[:, 6:9],
         counts[:, 0],
         counts[:, 1],
-        np.array(_REASONS)[ends],
+        np.array(_ENDS)[ends],
     )
-
-
-def _bracket(row: Sequence[float], counts: Sequence[int], stopped: StopReason) -> DepthBracket:
-    """Return one row of the core's answer."""
-    lo, hi, x, y, theta, distance_hi, u, v, phi = row
-    nodes, slices = counts
-    return DepthBracket(lo, hi, (x, y, theta), distance_hi, (u, v, phi), nodes, slices, stopped)
-
-
-def _pose(row: NDArray[np.float64]) -> Pose:
-    x, y, theta = (float(v) for v in row)
-    return x, y, theta
+    return brackets[0] if isinstance(q, tuple) else brackets

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, overload
+from typing import overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core, _gate
+from pdg.aliases import Point, RealArray, Rows
+from pdg.bodies.body import Body
 from pdg.bodies.pieces import convex_pieces
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from pdg.depths.batch import Batch
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,14 +50,14 @@ class DistanceBracket:
 
     lower: float
     upper: float
-    centre: tuple[float, float]
+    centre: Point
 
     def __iter__(self) -> Iterator[float]:
         return iter((self.lower, self.upper))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class DistanceBrackets:
+class DistanceBrackets(Batch[DistanceBracket]):
     """Bounds of D_g for n pairs of configurations; ``self[i]`` is the `DistanceBracket` of row i.
 
     Attributes
@@ -69,18 +70,11 @@ class DistanceBrackets:
     upper: NDArray[np.float64]
     centre: NDArray[np.float64]
 
-    def __len__(self) -> int:
-        return len(self.lower)
-
-    def __getitem__(self, row: int) -> DistanceBracket:
-        x, y = (float(v) for v in self.centre[row])
-        return DistanceBracket(float(self.lower[row]), float(self.upper[row]), (x, y))
-
-    def __iter__(self) -> Iterator[DistanceBracket]:
-        return (self[row] for row in range(len(self)))
+    def _row(self, row: int) -> DistanceBracket:
+        return DistanceBracket(*self._values(row))
 
 
-def motion_bounds(half_extents: Any, radius: float) -> MotionBounds:
+def motion_bounds(half_extents: Sequence[float] | RealArray, radius: float) -> MotionBounds:
     """Return the three motion bounds of a cell.
 
     Parameters
@@ -106,10 +100,20 @@ def motion_bounds(half_extents: Any, radius: float) -> MotionBounds:
 
 
 @overload
-def displacement(body: Any, q0: Sequence[float], q1: Sequence[float]) -> float: ...
+def displacement(body: Body, q0: Sequence[float], q1: Sequence[float]) -> float: ...
 @overload
-def displacement(body: Any, q0: Any, q1: Any) -> Any: ...
-def displacement(body: Any, q0: Any, q1: Any) -> float | NDArray[np.float64]:
+def displacement(
+    body: Body, q0: Rows, q1: Sequence[float] | Rows | RealArray
+) -> NDArray[np.float64]: ...
+@overload
+def displacement(body: Body, q0: Sequence[float] | RealArray, q1: Rows) -> NDArray[np.float64]: ...
+@overload
+def displacement(
+    body: Body, q0: Sequence[float] | RealArray, q1: Sequence[float] | RealArray
+) -> float | NDArray[np.float64]: ...
+def displacement(
+    body: Body, q0: Sequence[float] | Rows | RealArray, q1: Sequence[float] | Rows | RealArray
+) -> float | NDArray[np.float64]:
     """Return DISP(q0, q1), the largest distance between a body point at q0 and at q1.
 
     The displacement is a convex function of the body point, so a vertex attains it.
@@ -135,17 +139,29 @@ def displacement(body: Any, q0: Any, q1: Any) -> float | NDArray[np.float64]:
     """
     pieces = convex_pieces(body)
     start, end, single = _gate.pose_pairs(q0, q1)
-    lengths = _core.displacements(pieces.core, start, end)
+    lengths = _core.displacements(pieces._native, start, end)
     return float(lengths[0]) if single else lengths
 
 
 @overload
-def generalized_distance_bounds(
-    body: Any, q0: Sequence[float], q1: Sequence[float]
+def generalized_distance_bracket(
+    body: Body, q0: Sequence[float], q1: Sequence[float]
 ) -> DistanceBracket: ...
 @overload
-def generalized_distance_bounds(body: Any, q0: Any, q1: Any) -> Any: ...
-def generalized_distance_bounds(body: Any, q0: Any, q1: Any) -> DistanceBracket | DistanceBrackets:
+def generalized_distance_bracket(
+    body: Body, q0: Rows, q1: Sequence[float] | Rows | RealArray
+) -> DistanceBrackets: ...
+@overload
+def generalized_distance_bracket(
+    body: Body, q0: Sequence[float] | RealArray, q1: Rows
+) -> DistanceBrackets: ...
+@overload
+def generalized_distance_bracket(
+    body: Body, q0: Sequence[float] | RealArray, q1: Sequence[float] | RealArray
+) -> DistanceBracket | DistanceBrackets: ...
+def generalized_distance_bracket(
+    body: Body, q0: Sequence[float] | Rows | RealArray, q1: Sequence[float] | Rows | RealArray
+) -> DistanceBracket | DistanceBrackets:
     """Return a lower and an upper bound of the generalized distance D_g(q0, q1).
 
     D_g is the least, over all motions from q0 to q1, of the longest path of a body point ([PDG]
@@ -178,6 +194,6 @@ def generalized_distance_bounds(body: Any, q0: Any, q1: Any) -> DistanceBracket 
     """
     pieces = convex_pieces(body)
     start, end, single = _gate.pose_pairs(q0, q1)
-    rows = _core.generalized_distance_bounds(pieces.core, start, end)
+    rows = _core.generalized_distance_bounds(pieces._native, start, end)
     brackets = DistanceBrackets(rows[:, 0], rows[:, 1], rows[:, 2:])
     return brackets[0] if single else brackets

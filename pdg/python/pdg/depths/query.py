@@ -2,21 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import Literal, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core, _gate
+from pdg.aliases import RealArray, Rows
+from pdg.bodies.body import Body
 from pdg.bodies.pieces import convex_pieces
-from pdg.errors import PdgError
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from pdg.depths.batch import Batch
 
 QueryMethod = Literal["per-normal", "displacement", "published"]
-_METHODS = {"published": 0, "displacement": 1, "per-normal": 2}
+"""Which sufficient test `c_obstacle_query` makes."""
+
+CellVerdict = Literal["full", "undecided"]
+"""What `c_obstacle_query` says of a cell: proven to lie in C-obstacle space, or nothing."""
+
+# In the order of the core's QueryMethod.
+_METHODS: tuple[QueryMethod, ...] = ("published", "displacement", "per-normal")
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +42,7 @@ class CObstacleVerdict:
         motion bound, for "per-normal" a lower bound of PD^t over the whole cell.
     """
 
-    verdict: Literal["full", "undecided"]
+    verdict: CellVerdict
     pair: tuple[int, int] | None
     margin: float
 
@@ -47,40 +53,46 @@ class CObstacleVerdict:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class CObstacleVerdicts:
+class CObstacleVerdicts(Batch[CObstacleVerdict]):
     """Answers for n cells, one array a field; ``self[i]`` is the `CObstacleVerdict` of row i.
 
     Attributes
     ----------
-    full : ndarray of bool, shape (n,)
+    verdict : ndarray of str, shape (n,)
     pair : ndarray of int, shape (n, 2)
         (-1, -1) where no pair's boxes meet at the centre.
     margin : ndarray, shape (n,)
     """
 
-    full: NDArray[np.bool_]
+    verdict: NDArray[np.str_]
     pair: NDArray[np.int32]
     margin: NDArray[np.float64]
 
-    def __len__(self) -> int:
-        return len(self.full)
+    @property
+    def full(self) -> NDArray[np.bool_]:
+        """Whether each cell is proven to lie in C-obstacle space."""
+        full: NDArray[np.bool_] = self.verdict == "full"
+        return full
 
-    def __getitem__(self, row: int) -> CObstacleVerdict:
-        i, j = (int(k) for k in self.pair[row])
-        return _verdict(bool(self.full[row]), i, j, float(self.margin[row]))
-
-    def __iter__(self) -> Iterator[CObstacleVerdict]:
-        return (self[row] for row in range(len(self)))
+    def _row(self, row: int) -> CObstacleVerdict:
+        verdict, pair, margin = self._values(row)
+        return CObstacleVerdict(verdict, pair if pair[0] >= 0 else None, margin)
 
 
 @overload
 def c_obstacle_query(
-    A: Any, B: Any, cell: Sequence[float], method: QueryMethod = ...
+    A: Body, B: Body, cell: Sequence[float], method: QueryMethod = ...
 ) -> CObstacleVerdict: ...
 @overload
-def c_obstacle_query(A: Any, B: Any, cell: Any, method: QueryMethod = ...) -> Any: ...
 def c_obstacle_query(
-    A: Any, B: Any, cell: Any, method: QueryMethod = "per-normal"
+    A: Body, B: Body, cell: Rows, method: QueryMethod = ...
+) -> CObstacleVerdicts: ...
+@overload
+def c_obstacle_query(
+    A: Body, B: Body, cell: RealArray, method: QueryMethod = ...
+) -> CObstacleVerdict | CObstacleVerdicts: ...
+def c_obstacle_query(
+    A: Body, B: Body, cell: Sequence[float] | Rows | RealArray, method: QueryMethod = "per-normal"
 ) -> CObstacleVerdict | CObstacleVerdicts:
     """Try to prove that A and B overlap in every configuration of a cell ([PDG] section 8.1).
 
@@ -110,19 +122,16 @@ def c_obstacle_query(
         For a broken polygon, an unknown method, numbers that are not finite and negative
         half-extents (``index`` is the row in a batch).
     """
-    if not isinstance(method, str) or method not in _METHODS:
-        raise PdgError(f"expected one of {sorted(_METHODS)}", "method", value=method)
+    code = _METHODS.index(_gate.choice(method, _METHODS, "method"))
     judged = _gate.cells(cell, "cell")
     pieces_a = convex_pieces(A, name="A")
     pieces_b = convex_pieces(B, name="B")
     if isinstance(judged, tuple):
-        return _verdict(
-            *_core.c_obstacle_query(pieces_a.core, pieces_b.core, *judged, _METHODS[method])
-        )
+        return _verdict(*_core.c_obstacle_query(pieces_a._native, pieces_b._native, *judged, code))
     full, pairs, margins = _core.c_obstacle_queries(
-        pieces_a.core, pieces_b.core, judged, _METHODS[method]
+        pieces_a._native, pieces_b._native, judged, code
     )
-    return CObstacleVerdicts(full.astype(np.bool_), pairs, margins)
+    return CObstacleVerdicts(np.where(full, "full", "undecided"), pairs, margins)
 
 
 def _verdict(full: bool, i: int, j: int, margin: float) -> CObstacleVerdict:

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from pdg.aliases import Point
+from pdg.depths.batch import Batch
 
-Point = tuple[float, float]
 PairState = Literal["apart", "touching", "overlap"]
+"""How two placed bodies meet: no common point, common points but disjoint interiors, or more."""
+
 _STATES: tuple[PairState, PairState, PairState] = ("apart", "touching", "overlap")
 
 
@@ -45,21 +46,21 @@ class DepthLowerBound:
 
     Attributes
     ----------
-    depth : float
-        The bound (length); 0 when no pair of pieces overlaps.
+    lower : float
+        The bound (length), of PD^g under DISP and under D_g; 0 when no pair of pieces overlaps.
     pair : tuple of int or None
         Indices of the deepest pair in the bodies' convex pieces.
     witness : TranslationalDepth or None
         That pair's PD^t.
     """
 
-    depth: float
+    lower: float
     pair: tuple[int, int] | None
     witness: TranslationalDepth | None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class TranslationalDepths:
+class TranslationalDepths(Batch[TranslationalDepth]):
     """PD^t for n poses, one array a field; ``self[i]`` is the `TranslationalDepth` of row i.
 
     Attributes
@@ -75,30 +76,17 @@ class TranslationalDepths:
     on_a: NDArray[np.float64]
     on_b: NDArray[np.float64]
 
-    def __len__(self) -> int:
-        return len(self.depth)
-
-    def __getitem__(self, row: int) -> TranslationalDepth:
-        state: PairState = _STATES[_STATES.index(self.state[row])]
-        return TranslationalDepth(
-            state,
-            float(self.depth[row]),
-            point(self.direction[row]),
-            point(self.on_a[row]),
-            point(self.on_b[row]),
-        )
-
-    def __iter__(self) -> Iterator[TranslationalDepth]:
-        return (self[row] for row in range(len(self)))
+    def _row(self, row: int) -> TranslationalDepth:
+        return TranslationalDepth(*self._values(row))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class DepthLowerBounds:
+class DepthLowerBounds(Batch[DepthLowerBound]):
     """Lower bounds of PD^g for n poses; ``self[i]`` is the `DepthLowerBound` of row i.
 
     Attributes
     ----------
-    depth : ndarray, shape (n,)
+    lower : ndarray, shape (n,)
         0 where no pair of pieces overlaps.
     pair : ndarray of int, shape (n, 2)
         (-1, -1) where no pair of pieces overlaps.
@@ -106,21 +94,16 @@ class DepthLowerBounds:
         The deepest pair's; its rows mean nothing where there is no pair.
     """
 
-    depth: NDArray[np.float64]
+    lower: NDArray[np.float64]
     pair: NDArray[np.int32]
     witness: TranslationalDepths
 
-    def __len__(self) -> int:
-        return len(self.depth)
+    def _row(self, row: int) -> DepthLowerBound:
+        lower, pair, witness = self._values(row)
+        return DepthLowerBound(lower, pair, witness) if pair[0] >= 0 else NO_PAIR
 
-    def __getitem__(self, row: int) -> DepthLowerBound:
-        i, j = (int(k) for k in self.pair[row])
-        if i < 0:
-            return DepthLowerBound(0.0, None, None)
-        return DepthLowerBound(float(self.depth[row]), (i, j), self.witness[row])
 
-    def __iter__(self) -> Iterator[DepthLowerBound]:
-        return (self[row] for row in range(len(self)))
+NO_PAIR = DepthLowerBound(0.0, None, None)
 
 
 def one_depth(result: tuple[int, float, Point, Point, Point]) -> TranslationalDepth:
@@ -134,8 +117,3 @@ def many_depths(columns: tuple[NDArray[np.uint8], NDArray[np.float64]]) -> Trans
     states, rows = columns
     names = np.array(_STATES)[states]
     return TranslationalDepths(names, rows[:, 0], rows[:, 1:3], rows[:, 3:5], rows[:, 5:7])
-
-
-def point(pair: NDArray[np.float64]) -> Point:
-    """Return two numbers as a tuple."""
-    return float(pair[0]), float(pair[1])

@@ -6,43 +6,63 @@ sections 5 and 6.2.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal, overload
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Literal, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core, _gate
+from pdg.aliases import Pose, RealArray, Rows
+from pdg.bodies.body import Body
 from pdg.bodies.piece_set import ConvexPieces
 from pdg.bodies.pieces import convex_pieces
-from pdg.errors import PdgError
+from pdg.depths.batch import Batch
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+UpperBoundMethod = Literal["hulls", "separators", "best"]
+"""Which free configurations `generalized_depth_upper_bound` looks for."""
 
-Pose = tuple[float, float, float]
-Method = Literal["hulls", "separators", "best"]
-Source = Literal["free", "hulls", "separator"]
-_SOURCES: tuple[Source, Source, Source] = ("free", "hulls", "separator")
-_HERE = (0.0, 0.0, 0.0)
+PlacementSource = Literal["free", "hulls", "separator"]
+"""Where a free configuration comes from; see `FreePlacement`."""
+
+_METHODS: tuple[UpperBoundMethod, ...] = ("hulls", "separators", "best")
+# In the order of the core's PlacementSource.
+_SOURCES: tuple[PlacementSource, ...] = ("free", "hulls", "separator")
 
 
-@dataclass(frozen=True, slots=True)
 class ConvexSeparators:
-    """The convex separators of a fixed body, ready for repeated queries.
+    """The convex separators of a fixed body, ready for repeated queries; immutable.
 
     Each is a convex container that holds nothing of the body's interior. Iterating gives its
-    half-planes, an array of shape (k, 3) with rows (n_x, n_y, c): the points with n . p <= c.
+    half-planes, an array of shape (k, 3) with rows (n_x, n_y, c): the points with n . p <= c. Made
+    by `convex_separators`. Pickling keeps the body, whose separators are enumerated again.
     """
 
-    pieces: ConvexPieces = field(repr=False)
-    core: _core.SeparatorSet = field(repr=False)
+    __slots__ = ("_native", "_pieces")
+
+    _native: _core.SeparatorSet
+    _pieces: ConvexPieces
+
+    def __init__(self) -> None:
+        raise TypeError("ConvexSeparators are made by pdg.convex_separators")
+
+    @property
+    def pieces(self) -> ConvexPieces:
+        """The convex pieces of the body."""
+        return self._pieces
 
     def __len__(self) -> int:
-        return len(self.core)
+        return len(self._native)
 
     def __iter__(self) -> Iterator[NDArray[np.float64]]:
-        return (self.core.sides(k) for k in range(len(self)))
+        return (self._native.sides(k) for k in range(len(self)))
+
+    def __reduce__(self) -> tuple[Callable[..., ConvexSeparators], tuple[ConvexPieces]]:
+        return convex_separators, (self._pieces,)
+
+    def __repr__(self) -> str:
+        return f"ConvexSeparators(separators={len(self)}, pieces={len(self.pieces)})"
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,18 +75,41 @@ class FreePlacement:
         (x, y, theta). No convex piece of A overlaps one of B: exact for the vertices as placed in
         doubles.
     source : {"free", "hulls", "separator"}
-        The configuration asked about is free itself; the convex hulls were taken apart; A's hull
+        The pose given is free itself; the convex hulls were taken apart; A's hull
         was placed inside a convex container.
     separator : int or None
         That container's index in the `ConvexSeparators`.
     drawn_back : bool
-        It lies on the way from the pose asked about to such a placement.
+        It lies on the way from the pose given to such a placement.
     """
 
     pose: Pose
-    source: Source
+    source: PlacementSource
     separator: int | None
     drawn_back: bool
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FreePlacements(Batch[FreePlacement]):
+    """Free configurations, one array a field; ``self[i]`` is the `FreePlacement` of row i.
+
+    Attributes
+    ----------
+    pose : ndarray, shape (n, 3)
+    source : ndarray of str, shape (n,)
+    separator : ndarray of int, shape (n,)
+        -1 where the source is not a separator.
+    drawn_back : ndarray of bool, shape (n,)
+    """
+
+    pose: NDArray[np.float64]
+    source: NDArray[np.str_]
+    separator: NDArray[np.int32]
+    drawn_back: NDArray[np.bool_]
+
+    def _row(self, row: int) -> FreePlacement:
+        pose, source, separator, drawn_back = self._values(row)
+        return FreePlacement(pose, source, separator if separator >= 0 else None, drawn_back)
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,73 +118,49 @@ class DepthUpperBound:
 
     Attributes
     ----------
-    displacement : float
-        PD^g under DISP is at most that: DISP from the pose asked about to ``displaced.pose``.
-    displaced : FreePlacement
-    distance : float
-        PD^g under D_g is at most that: the upper end of `generalized_distance_bounds` to
-        ``distanced.pose``. Never below `displacement`, and the same for a translation.
-    distanced : FreePlacement
-    placements : int
+    upper : float
+        Upper bound of PD^g under DISP (length): DISP from the pose given to ``placement.pose``.
+    placement : FreePlacement
+        Where `upper` is attained.
+    distance_upper : float
+        Upper bound of PD^g under D_g (length): the upper end of `generalized_distance_bracket` to
+        ``distance_placement.pose``. It is never below `upper`, and equal to it for a translation.
+    distance_placement : FreePlacement
+        Where `distance_upper` is attained.
+    angles : int
         Angles at which A's hull was placed in a container; 0 when every separator was culled.
     """
 
-    displacement: float
-    displaced: FreePlacement
-    distance: float
-    distanced: FreePlacement
-    placements: int
+    upper: float
+    placement: FreePlacement
+    distance_upper: float
+    distance_placement: FreePlacement
+    angles: int
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class DepthUpperBounds:
+class DepthUpperBounds(Batch[DepthUpperBound]):
     """Upper bounds of PD^g for n poses; ``self[i]`` is the `DepthUpperBound` of row i.
 
     Attributes
     ----------
-    displacement, distance : ndarray, shape (n,)
-    displaced_pose, distanced_pose : ndarray, shape (n, 3)
-    source : ndarray of str, shape (n, 2)
-        Of the two placements, in this order.
-    separator : ndarray of int, shape (n, 2)
-        -1 where the source is not a separator.
-    drawn_back : ndarray of bool, shape (n, 2)
-    placements : ndarray of int, shape (n,)
+    upper, distance_upper : ndarray, shape (n,)
+    placement, distance_placement : FreePlacements
+        Of n rows each.
+    angles : ndarray of int, shape (n,)
     """
 
-    displacement: NDArray[np.float64]
-    displaced_pose: NDArray[np.float64]
-    distance: NDArray[np.float64]
-    distanced_pose: NDArray[np.float64]
-    source: NDArray[np.str_]
-    separator: NDArray[np.int32]
-    drawn_back: NDArray[np.bool_]
-    placements: NDArray[np.int32]
+    upper: NDArray[np.float64]
+    placement: FreePlacements
+    distance_upper: NDArray[np.float64]
+    distance_placement: FreePlacements
+    angles: NDArray[np.int32]
 
-    def __len__(self) -> int:
-        return len(self.displacement)
-
-    def __getitem__(self, row: int) -> DepthUpperBound:
-        return DepthUpperBound(
-            float(self.displacement[row]),
-            self._placement(self.displaced_pose, row, 0),
-            float(self.distance[row]),
-            self._placement(self.distanced_pose, row, 1),
-            int(self.placements[row]),
-        )
-
-    def __iter__(self) -> Iterator[DepthUpperBound]:
-        return (self[row] for row in range(len(self)))
-
-    def _placement(self, poses: NDArray[np.float64], row: int, metric: int) -> FreePlacement:
-        x, y, theta = (float(v) for v in poses[row])
-        source: Source = _SOURCES[_SOURCES.index(self.source[row, metric])]
-        index = int(self.separator[row, metric])
-        drawn_back = bool(self.drawn_back[row, metric])
-        return FreePlacement((x, y, theta), source, index if index >= 0 else None, drawn_back)
+    def _row(self, row: int) -> DepthUpperBound:
+        return DepthUpperBound(*self._values(row))
 
 
-def convex_separators(B: Any) -> ConvexSeparators:
+def convex_separators(B: Body | ConvexSeparators) -> ConvexSeparators:
     """Enumerate convex containers of a fixed body's complement, its holes included.
 
     A separator in the sense of [PDG] section 6.2.3 is the boundary of such a container. Each piece
@@ -168,18 +187,34 @@ def convex_separators(B: Any) -> ConvexSeparators:
     """
     if isinstance(B, ConvexSeparators):
         return B
-    pieces = convex_pieces(B, name="B")
-    return ConvexSeparators(pieces, _core.SeparatorSet(pieces.core))
+    separators = object.__new__(ConvexSeparators)
+    separators._pieces = convex_pieces(B, name="B")
+    separators._native = _core.SeparatorSet(separators._pieces._native)
+    return separators
 
 
 @overload
 def generalized_depth_upper_bound(
-    A: Any, B: Any, pose: Sequence[float] = ..., *, method: Method = ...
+    A: Body,
+    B: Body | ConvexSeparators,
+    pose: Sequence[float] = ...,
+    *,
+    method: UpperBoundMethod = ...,
 ) -> DepthUpperBound: ...
 @overload
-def generalized_depth_upper_bound(A: Any, B: Any, pose: Any, *, method: Method = ...) -> Any: ...
 def generalized_depth_upper_bound(
-    A: Any, B: Any, pose: Any = _HERE, *, method: Method = "separators"
+    A: Body, B: Body | ConvexSeparators, pose: Rows, *, method: UpperBoundMethod = ...
+) -> DepthUpperBounds: ...
+@overload
+def generalized_depth_upper_bound(
+    A: Body, B: Body | ConvexSeparators, pose: RealArray, *, method: UpperBoundMethod = ...
+) -> DepthUpperBound | DepthUpperBounds: ...
+def generalized_depth_upper_bound(
+    A: Body,
+    B: Body | ConvexSeparators,
+    pose: Sequence[float] | Rows | RealArray = _gate.HERE,
+    *,
+    method: UpperBoundMethod = "separators",
 ) -> DepthUpperBound | DepthUpperBounds:
     """Return upper bounds of the generalized penetration depth PD^g, with free configurations.
 
@@ -218,32 +253,29 @@ def generalized_depth_upper_bound(
         (``index`` is its row in a batch).
     """
     pieces_a = convex_pieces(A, name="A")
-    if not isinstance(method, str):
-        raise PdgError("expected 'hulls', 'separators' or 'best'", "method", value=method)
-    if method == "hulls":
+    wanted = _gate.choice(method, _METHODS, "method")
+    if wanted == "hulls":
         pieces_b = B.pieces if isinstance(B, ConvexSeparators) else convex_pieces(B, name="B")
         separators = None
-    elif method in ("separators", "best"):
-        prepared = convex_separators(B)
-        pieces_b, separators = prepared.pieces, prepared.core
     else:
-        raise PdgError("expected 'hulls', 'separators' or 'best'", "method", value=method)
+        prepared = convex_separators(B)
+        pieces_b, separators = prepared.pieces, prepared._native
     q = _gate.poses(pose, "pose")
     rows = np.atleast_2d(np.asarray(q))
     bad, numbers, codes = _core.depth_upper_bounds(
-        pieces_a.core, pieces_b.core, separators, rows, method == "best"
+        pieces_a._native, pieces_b._native, separators, rows, wanted == "best"
     )
-    if bad >= 0:
-        problem = "places the body outside the range of exact arithmetic"
-        raise PdgError(problem, "pose", None if isinstance(q, tuple) else bad, rows[bad].tolist())
+    _gate.check_placed(bad, rows, isinstance(q, tuple))
     bounds = DepthUpperBounds(
         numbers[:, 0],
-        numbers[:, 1:4],
+        _placements(numbers[:, 1:4], codes[:, 0:3]),
         numbers[:, 4],
-        numbers[:, 5:8],
-        np.array(_SOURCES)[codes[:, [0, 3]]],
-        codes[:, [1, 4]],
-        codes[:, [2, 5]] != 0,
+        _placements(numbers[:, 5:8], codes[:, 3:6]),
         codes[:, 6],
     )
     return bounds[0] if isinstance(q, tuple) else bounds
+
+
+def _placements(poses: NDArray[np.float64], codes: NDArray[np.int32]) -> FreePlacements:
+    """Return placements from the core's rows of source, separator and whether it is drawn back."""
+    return FreePlacements(poses, np.array(_SOURCES)[codes[:, 0]], codes[:, 1], codes[:, 2] != 0)

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeVar, cast
+from collections.abc import Iterable
+from typing import TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
-from pdg._constants import MAX_GRASP_MAGNITUDE, MIN_GRASP_MAGNITUDE
+from pdg import _gate
 from pdg.errors import PdgError
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from numpy.typing import NDArray
+from pdg.tolerances import MAX_GRASP_MAGNITUDE, MIN_GRASP_MAGNITUDE
 
 Kind = TypeVar("Kind")
 
@@ -56,13 +54,7 @@ def positive(value: object, name: str) -> float:
 
 def array(value: object, name: str) -> NDArray[np.float64]:
     """Return a read-only array of any shape, whose numbers are 0 or of sane magnitude."""
-    try:
-        given = np.array(value)
-    except (TypeError, ValueError) as error:
-        raise PdgError("expected real numbers", name, value=value) from error
-    if given.dtype.kind not in "iuf":
-        raise PdgError("expected real numbers", name, value=value)
-    numbers = given.astype(np.float64)
+    numbers = np.array(_gate.numbers(value, name))
     magnitude = np.abs(numbers)
     # Negated, so that NaN fails too.
     sane = (magnitude >= MIN_GRASP_MAGNITUDE) & (magnitude <= MAX_GRASP_MAGNITUDE)
@@ -84,13 +76,9 @@ def one_of_kind(value: object, kind: type[Kind], name: str, index: int | None = 
     return value
 
 
-def all_of_kind(values: object, kind: type[Kind], name: str) -> list[Kind]:
+def all_of_kind(values: Iterable[object], kind: type[Kind], name: str) -> list[Kind]:
     """Return the items of an iterable, instances of `kind`."""
-    try:
-        items = list(cast("Iterable[object]", values))
-    except TypeError as error:
-        raise PdgError(f"expected {kind.__name__}s", name, value=values) from error
-    return [one_of_kind(item, kind, name, i) for i, item in enumerate(items)]
+    return [one_of_kind(item, kind, name, i) for i, item in enumerate(_gate.items(values, name))]
 
 
 def frozen(numbers: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -8,16 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
-from pdg._constants import RANK_TOLERANCE
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from pdg.tolerances import RANK_TOLERANCE
 
 ForceCase = Literal["none", "point", "ellipsoid"]
+"""What friction leaves of the forces that a finger's motors make; see `ActiveForces`."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

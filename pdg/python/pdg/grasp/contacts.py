@@ -10,18 +10,17 @@ Source: [GFE] Zheng, Yamane, *Evaluation of Grasp Force Efficiency …*, 2013, s
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Literal
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from pdg._constants import LEAST_TANGENT_SINE
 from pdg.errors import PdgError
 from pdg.grasp import _gate
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from pdg.tolerances import LEAST_TANGENT_SINE
 
 ContactKind = Literal["frictionless", "point", "soft"]
+"""Which forces a contact carries."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,7 +58,7 @@ class Contact:
         return np.array([self.friction, self.friction, self.torsion])
 
 
-def frictionless(position: Any, normal: Any) -> Contact:
+def frictionless(position: ArrayLike, normal: ArrayLike) -> Contact:
     """Return a contact that only pushes along its normal.
 
     Parameters
@@ -82,7 +81,9 @@ def frictionless(position: Any, normal: Any) -> Contact:
     return _contact("frictionless", position, normal, 0.0, 0.0, tangent=None)
 
 
-def point_contact(position: Any, normal: Any, friction: Any, tangent: Any = None) -> Contact:
+def point_contact(
+    position: ArrayLike, normal: ArrayLike, friction: float, tangent: ArrayLike | None = None
+) -> Contact:
     """Return a point contact with Coulomb friction: √(f_2² + f_3²) ≤ μ f_1.
 
     Parameters
@@ -112,7 +113,11 @@ def point_contact(position: Any, normal: Any, friction: Any, tangent: Any = None
 
 
 def soft_finger(
-    position: Any, normal: Any, friction: Any, torsion: Any, tangent: Any = None
+    position: ArrayLike,
+    normal: ArrayLike,
+    friction: float,
+    torsion: float,
+    tangent: ArrayLike | None = None,
 ) -> Contact:
     """Return an elliptic soft-finger contact: √((f_2² + f_3²)/μ² + f_4²/μ_s²) ≤ f_1 ([GFE] Eq. 1).
 
@@ -172,7 +177,13 @@ def contact_map(contact: Contact, length: float = 1.0) -> NDArray[np.float64]:
 
 
 def _contact(
-    kind: ContactKind, position: Any, normal: Any, mu: float, mu_s: float, *, tangent: Any
+    kind: ContactKind,
+    position: ArrayLike,
+    normal: ArrayLike,
+    mu: float,
+    mu_s: float,
+    *,
+    tangent: ArrayLike | None,
 ) -> Contact:
     p = _gate.vector(position, "position", (2, 3))
     n = _gate.unit(normal, "normal", len(p))
@@ -185,7 +196,7 @@ def _contact(
     return Contact(kind, p, n, _gate.frozen(tangents), mu, mu_s)
 
 
-def _tangents(n: NDArray[np.float64], tangent: Any) -> NDArray[np.float64]:
+def _tangents(n: NDArray[np.float64], tangent: ArrayLike | None) -> NDArray[np.float64]:
     """Rows o and t = n × o, hence n = o × t."""
     if tangent is None:
         o = np.cross(np.eye(3)[int(np.argmin(np.abs(n)))], n)

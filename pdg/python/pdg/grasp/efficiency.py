@@ -5,25 +5,26 @@ Source: [GFE] Eqs. 8 and 16 and the end of section III.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg.distance import PenetrationDistance, penetration_distance
 from pdg.errors import PdgError
 from pdg.grasp import _gate
 from pdg.grasp.wrenches import WrenchSet
-from pdg.sets import AffineImage, Ball, ConvexSet, as_convex_set
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-# A bracket this narrow, relative to its upper end, has a positive lower end.
-_CLOSURE_GAP = 0.9
+from pdg.sets import AffineImage, Ball, ConvexSet, SupportSet, as_convex_set
+from pdg.tolerances import (
+    ABSOLUTE_TOLERANCE,
+    CLOSURE_TOLERANCE,
+    MAX_FACETS,
+    MAX_ITERATIONS,
+)
 
 ClosureState = Literal["closed", "open", "undecided"]
+"""Whether a grasp has force closure; see `ForceClosure`."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -36,7 +37,7 @@ class ForceClosure:
         "closed": the origin is proven to be an interior point of the convex hull of the W_i.
         "open": it is proven not to be in that hull, or the hull is flat to within rounding.
         "undecided": the origin is too close to the hull's boundary for doubles to tell, as when a
-        contact's force is balanced exactly by none; or the time limit was reached.
+        contact's force is balanced exactly by none; or the timeout was reached.
     direction : ndarray of shape (D,)
         A unit wrench direction; where "open", one along which no contact can push.
     resistance : float
@@ -73,7 +74,7 @@ class ForceEfficiency:
     distance: PenetrationDistance
 
 
-def force_closure(wrenches: WrenchSet, time_limit: float = math.inf) -> ForceClosure:
+def force_closure(wrenches: WrenchSet, timeout: float | None = None) -> ForceClosure:
     """Return whether contacts can balance every wrench, with the direction that shows it.
 
     A grasp has force closure in the space of its wrenches if the origin is an interior point of
@@ -84,8 +85,8 @@ def force_closure(wrenches: WrenchSet, time_limit: float = math.inf) -> ForceClo
     ----------
     wrenches : WrenchSet
         Of either norm; the answer is the same.
-    time_limit : float
-        Seconds.
+    timeout : float, optional
+        Seconds. By default there is no limit.
 
     Returns
     -------
@@ -95,13 +96,13 @@ def force_closure(wrenches: WrenchSet, time_limit: float = math.inf) -> ForceClo
     Raises
     ------
     PdgError
-        For a time limit that is negative or no number.
+        For a timeout that is negative or no number.
     """
     wrenches = _gate.one_of_kind(wrenches, WrenchSet, "wrenches")
     primitive = WrenchSet(wrenches.centres, wrenches.axes, "l1", False, wrenches.basis)
     ball = Ball(primitive.dimension)
     found = penetration_distance(
-        primitive, ball, 0.0, relative_eps=_CLOSURE_GAP, time_limit=time_limit
+        primitive, ball, 0.0, relative_tolerance=CLOSURE_TOLERANCE, timeout=timeout
     )
     resistance, _ = primitive.support(found.direction)
     u = wrenches.basis @ found.direction
@@ -114,9 +115,14 @@ def force_closure(wrenches: WrenchSet, time_limit: float = math.inf) -> ForceClo
 
 def force_efficiency(
     wrenches: WrenchSet,
-    Q: Any = None,
-    eps: float = 1e-4,
-    **limits: Any,
+    Q: SupportSet | None = None,
+    absolute_tolerance: float = ABSOLUTE_TOLERANCE,
+    *,
+    relative_tolerance: float = 0.0,
+    timeout: float | None = None,
+    max_iterations: int = MAX_ITERATIONS,
+    max_facets: int = MAX_FACETS,
+    history: bool = False,
 ) -> ForceEfficiency:
     """Return d_Q(W), the largest multiple of Q all of whose wrenches the grasp can apply.
 
@@ -128,11 +134,8 @@ def force_efficiency(
         Wrenches of interest, holding the origin, in wrench coordinates (force, torque/length): 6,
         or 3 in the plane. By default the unit ball. If W^a spans fewer dimensions, Q's orthogonal
         projection onto its space is taken.
-    eps : float
-        Stop once upper - lower <= eps.
-    **limits
-        Any keyword of `pdg.penetration_distance`: relative_eps, max_iterations, max_facets,
-        time_limit, history.
+    absolute_tolerance, relative_tolerance, timeout, max_iterations, max_facets, history : optional
+        As for `pdg.penetration_distance`.
 
     Returns
     -------
@@ -145,13 +148,22 @@ def force_efficiency(
         For a Q of another dimension or without the origin, and as `penetration_distance`.
     """
     basis = _gate.one_of_kind(wrenches, WrenchSet, "wrenches").basis
-    distance = penetration_distance(wrenches, _within(Q, basis), eps, **limits)
+    distance = penetration_distance(
+        wrenches,
+        _within(Q, basis),
+        absolute_tolerance,
+        relative_tolerance=relative_tolerance,
+        timeout=timeout,
+        max_iterations=max_iterations,
+        max_facets=max_facets,
+        history=history,
+    )
     direction = basis @ distance.direction
     lower, upper = max(0.0, distance.lower), max(0.0, distance.upper)
     return ForceEfficiency(lower, upper, direction, basis.shape[1], distance)
 
 
-def _within(Q: Any, basis: NDArray[np.float64]) -> ConvexSet:
+def _within(Q: SupportSet | None, basis: NDArray[np.float64]) -> ConvexSet:
     """Return Q's projection onto the space of the basis, in its coordinates."""
     space, dimension = basis.shape
     if Q is None:

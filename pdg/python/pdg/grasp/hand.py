@@ -9,23 +9,27 @@ Source: [GFE] section III.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import Literal
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from pdg._gate import flag
+from pdg._gate import choice, flag, items
 from pdg.errors import PdgError
 from pdg.grasp import _gate
 from pdg.grasp.active_forces import ActiveForces, active_forces, column_space
 from pdg.grasp.contacts import Contact, contact_map
 from pdg.grasp.wrenches import ForceNorm, WrenchSet, checked
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
 JointMode = Literal["active", "locked", "free"]
+"""What moves an independent joint rate: a motor, nothing (it is held), or anything but a motor."""
+
+_MODES: tuple[JointMode, ...] = ("active", "locked", "free")
+
+JointKind = Literal["revolute", "prismatic"]
+"""Whether a joint turns or slides."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,7 +47,7 @@ class Joint:
         A point of a revolute joint's axis; zero for a prismatic joint.
     """
 
-    kind: Literal["revolute", "prismatic"]
+    kind: JointKind
     axis: NDArray[np.float64]
     point: NDArray[np.float64]
 
@@ -71,7 +75,7 @@ class Finger:
     reach: tuple[float, float]
 
 
-def revolute(point: Any, axis: Any = None) -> Joint:
+def revolute(point: ArrayLike, axis: ArrayLike | None = None) -> Joint:
     """Return a joint that turns about the line through `point` along `axis`.
 
     Parameters
@@ -99,7 +103,7 @@ def revolute(point: Any, axis: Any = None) -> Joint:
     return Joint("revolute", _gate.frozen(np.zeros(2)), p)
 
 
-def prismatic(axis: Any) -> Joint:
+def prismatic(axis: ArrayLike) -> Joint:
     """Return a joint that slides along `axis`.
 
     Parameters
@@ -125,7 +129,7 @@ def prismatic(axis: Any) -> Joint:
 def finger(
     contact: Contact,
     joints: Sequence[Joint],
-    coupling: Any = None,
+    coupling: ArrayLike | None = None,
     modes: Sequence[JointMode] | None = None,
 ) -> Finger:
     """Return a finger from its joints in their present pose.
@@ -163,12 +167,7 @@ def finger(
     if C.ndim != 2 or C.shape[0] != len(joints):
         problem = f"expected an array of shape ({len(joints)}, a)"
         raise PdgError(problem, "coupling", value=C.shape)
-    states = ("active",) * C.shape[1] if modes is None else tuple(modes)
-    if len(states) != C.shape[1]:
-        raise PdgError(f"expected {C.shape[1]} modes", "modes", value=len(states))
-    for i, state in enumerate(states):
-        if state not in get_args(JointMode):
-            raise PdgError('expected "active", "locked" or "free"', "modes", i, state)
+    states = _modes(("active",) * C.shape[1] if modes is None else modes, C.shape[1])
     moving = [i for i, state in enumerate(states) if state != "locked"]
     J = np.zeros((2 * size - 2, len(joints)))
     for i, joint in enumerate(joints):
@@ -177,7 +176,7 @@ def finger(
     return Finger(contact, _gate.frozen((J @ C)[:, moving]), free, _reach(contact, joints, C))
 
 
-def finger_forces(finger: Finger, length: Any = 1.0) -> ActiveForces:
+def finger_forces(finger: Finger, length: float = 1.0) -> ActiveForces:
     """Return the contact forces that a finger's motors make and that friction allows.
 
     Parameters
@@ -216,7 +215,7 @@ def finger_forces(finger: Finger, length: Any = 1.0) -> ActiveForces:
 
 
 def active_wrench_set(
-    fingers: Sequence[Finger], norm: ForceNorm = "linf", length: Any = 1.0, idle: bool = True
+    fingers: Sequence[Finger], norm: ForceNorm = "linf", length: float = 1.0, idle: bool = True
 ) -> WrenchSet | None:
     """Return W^a, the wrenches that joint torques alone can make, in its minimal subspace.
 
@@ -235,7 +234,7 @@ def active_wrench_set(
     WrenchSet or None
         Its `basis` spans the minimal subspace; where coordinate axes of wrench space span that, it
         is these. None if no finger has an active force. Ranks are decided in plain doubles, see
-        `pdg._constants.RANK_TOLERANCE`.
+        `pdg.tolerances.RANK_TOLERANCE`.
 
     Raises
     ------
@@ -243,7 +242,7 @@ def active_wrench_set(
         As `grasp_wrench_set`.
     """
     fingers = _gate.all_of_kind(fingers, Finger, "fingers")
-    scale, name = checked([one.contact for one in fingers], norm, length)
+    scale, known = checked([one.contact for one in fingers], norm, length, "fingers")
     centres, axes = [], []
     for one in fingers:
         forces = finger_forces(one, scale)
@@ -257,7 +256,7 @@ def active_wrench_set(
     R = minimal_basis(np.column_stack([np.column_stack(centres), *axes]))
     most = max(M.shape[1] for M in axes)
     padded = [np.pad(R.T @ M, ((0, 0), (0, most - M.shape[1]))) for M in axes]
-    return WrenchSet(np.array(centres) @ R, np.array(padded), name, flag(idle, "idle"), R)
+    return WrenchSet(np.array(centres) @ R, np.array(padded), known, flag(idle, "idle"), R)
 
 
 def minimal_basis(wrenches: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -266,6 +265,14 @@ def minimal_basis(wrenches: NDArray[np.float64]) -> NDArray[np.float64]:
     dominant = np.sort(np.argsort(-np.linalg.norm(R, axis=1), kind="stable")[: R.shape[1]])
     aligned = np.eye(len(R))[:, dominant]
     return aligned if column_space(np.hstack([R, aligned]), 1.0).shape[1] == R.shape[1] else R
+
+
+def _modes(modes: Iterable[object], count: int) -> list[JointMode]:
+    """Return the checked modes of so many joint rates."""
+    states = items(modes, "modes")
+    if len(states) != count:
+        raise PdgError(f"expected {count} modes", "modes", value=len(states))
+    return [choice(state, _MODES, "modes", i) for i, state in enumerate(states)]
 
 
 def _tip_velocity(contact: Contact, joint: Joint) -> NDArray[np.float64]:

@@ -19,22 +19,23 @@ Table I of [GFE] is of "linf" with idle contacts; its Eq. 5 reads without.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pdg import _core
-from pdg._gate import flag
+from pdg._gate import choice, flag
 from pdg.errors import PdgError
 from pdg.grasp import _gate
 from pdg.grasp._gate import frozen
 from pdg.grasp.contacts import Contact, contact_map
 from pdg.sets import ConvexSet
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
 ForceNorm = Literal["l1", "linf"]
+"""How normal forces are limited: their sum is at most 1, or each of them is."""
+
+_NORMS: tuple[ForceNorm, ...] = ("l1", "linf")
 
 
 class WrenchSet(ConvexSet):
@@ -70,15 +71,14 @@ class WrenchSet(ConvexSet):
         basis: NDArray[np.float64],
     ) -> None:
         columns = np.concatenate([centres[:, None, :], axes.transpose(0, 2, 1)], axis=1)
-        super().__init__(
-            _core.grasp_wrench_set(np.ascontiguousarray(columns), norm == "linf", idle)
-        )
+        self._native = _core.grasp_wrench_set(np.ascontiguousarray(columns), norm == "linf", idle)
         self.centres, self.axes, self.norm, self.idle = frozen(centres), frozen(axes), norm, idle
         self.basis = frozen(basis)
+        self._arguments = (centres, axes, norm, idle, basis)  # read-only, so not copied
 
 
 def grasp_wrench_set(
-    contacts: Sequence[Contact], norm: ForceNorm = "linf", length: Any = 1.0, idle: bool = True
+    contacts: Sequence[Contact], norm: ForceNorm = "linf", length: float = 1.0, idle: bool = True
 ) -> WrenchSet:
     """Return W, the wrenches that contacts can apply with a unit total force ([GFE] Eqs. 3–7).
 
@@ -105,25 +105,23 @@ def grasp_wrench_set(
         unknown norm.
     """
     contacts = _gate.all_of_kind(contacts, Contact, "contacts")
-    scale, name = checked(contacts, norm, length)
+    scale, known = checked(contacts, norm, length, "contacts")
     space = 3 * (len(contacts[0].position) - 1)
     maps = [contact_map(contact, scale) for contact in contacts]
     centres = np.array([G[:, 0] for G in maps])
     axes = np.array([G[:, 1:] * c.limits for G, c in zip(maps, contacts, strict=True)])
-    return WrenchSet(centres, axes, name, flag(idle, "idle"), np.eye(space))
+    return WrenchSet(centres, axes, known, flag(idle, "idle"), np.eye(space))
 
 
-def checked(contacts: Sequence[Contact], norm: object, length: Any) -> tuple[float, ForceNorm]:
-    """Return length and norm if they and the contacts make sense together."""
-    for name in get_args(ForceNorm):
-        if isinstance(norm, str) and norm == name:
-            break
-    else:
-        raise PdgError('expected "l1" or "linf"', "norm", value=norm)
+def checked(
+    contacts: Sequence[Contact], norm: object, length: float, name: str
+) -> tuple[float, ForceNorm]:
+    """Return length and norm if they and the contacts, an argument of that name, fit together."""
+    known = choice(norm, _NORMS, "norm")
     if len(contacts) == 0:
-        raise PdgError("a grasp needs at least one contact", "contacts", value=0)
+        raise PdgError("a grasp needs at least one", name, value=0)
     for i, contact in enumerate(contacts):
         if len(contact.position) != len(contacts[0].position):
             problem = "contacts in space and in the plane do not mix"
-            raise PdgError(problem, "contacts", i, contact.position.tolist())
-    return _gate.positive(length, "length"), name
+            raise PdgError(problem, name, i, contact.position.tolist())
+    return _gate.positive(length, "length"), known

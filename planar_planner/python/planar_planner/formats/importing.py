@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from planar_planner.errors import SceneError
+from planar_planner.formats.assemble import scene_of_parts
 from planar_planner.formats.parts import ImportOptions, Notes
 from planar_planner.formats.registry import Format, read_parts
 from planar_planner.scene.model import Scene
@@ -18,7 +19,6 @@ def read_scene(kind: Format, path: Path, data: bytes, options: ImportOptions) ->
     SceneError
         If the file is wrong, or if file and options together do not state everything.
     """
-    from planar_planner.formats.assemble import scene_of_parts
     from planar_planner.formats.robots import chosen_robot
 
     notes = Notes()

@@ -14,7 +14,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from pdg._core import first_defect
+from pdg import polygon_defect
 from planar_planner.problem.make import Polygons
 
 Floats = NDArray[np.float64]
@@ -83,9 +83,9 @@ def polygons_of(shapes: Sequence[Rings]) -> Polygons:
         np.cumsum([0, *map(len, rings)], dtype=np.uint32),
         np.cumsum([0, *map(len, shapes)], dtype=np.uint32),
     )
-    defect = first_defect(*polygons.arrays)
+    defect = polygon_defect(*polygons.arrays)
     if defect is not None:
-        raise ClaimError(f"the width of the bracket is below what rounding allows: {defect[1]}")
+        raise ClaimError(f"the width of the bracket is below what rounding allows: {defect}")
     return polygons
 
 

@@ -24,7 +24,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from pdg import _core
+import pdg
 from planar_planner.margins.body import UNIT_ROUNDOFF, ClaimError, Floats, Rings
 from planar_planner.margins.rounded_hull import circumscribed
 from planar_planner.margins.segments import distances, edges_of, inside_ring, rounding_of
@@ -109,16 +109,13 @@ def _shallow(shape: Rings, rings: list[Floats]) -> float:
 
 def _triangles(rings: list[Floats]) -> Floats:
     """Return triangles (n, 3, 2) that cover the even-odd interior of rings that do not cross."""
-    coords = np.ascontiguousarray(np.concatenate(rings))
-    starts = np.cumsum([0, *map(len, rings)], dtype=np.uint32)
     try:
-        pieces = _core.PieceSet(coords, starts, np.array([0, len(rings)], dtype=np.uint32), False)
-    except ValueError as error:
-        raise ClaimError(f"the shrunk body crosses the robot's outline: {error}") from None
-    points, first = pieces.arrays()
+        pieces = pdg.even_odd_pieces(rings, cover=False)
+    except pdg.BodyError as error:
+        raise ClaimError(f"the shrunk body crosses the robot's outline: {error.problem}") from None
     fans = [
-        np.stack([np.repeat(ring[:1], len(ring) - 2, axis=0), ring[1:-1], ring[2:]], axis=1)
-        for ring in (points[first[i] : first[i + 1]] for i in range(len(first) - 1))
+        np.stack([np.repeat(piece[:1], len(piece) - 2, axis=0), piece[1:-1], piece[2:]], axis=1)
+        for piece in pieces
     ]
     return np.concatenate(fans)
 

@@ -115,9 +115,10 @@ def _check_not_flat(ring: NDArray[np.float64], path: str) -> None:
 
 def judged_exactly(polygons: RawPolygons) -> Defect | None:
     """Judge by `pdg`, in exact arithmetic: what the planner takes is valid for the very doubles."""
-    from pdg._core import first_defect
+    from pdg import polygon_defect
 
-    return first_defect(polygons.coords, polygons.ring_starts, polygons.polygon_starts)
+    found = polygon_defect(polygons.coords, polygons.ring_starts, polygons.polygon_starts)
+    return None if found is None else (found.polygon, str(found))
 
 
 def judged_by_geos(polygons: RawPolygons) -> Defect | None:

@@ -1,0 +1,1 @@
+"""A second, independent reader of every outside format, held against the planner's importers."""

@@ -1,0 +1,1 @@
+"""Seeded generators of drawings, one module a format."""

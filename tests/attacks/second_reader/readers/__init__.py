@@ -1,0 +1,1 @@
+"""The independent readers, one module a format."""
