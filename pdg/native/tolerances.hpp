@@ -1,6 +1,6 @@
-// Every rounding constant of the library and of the planner, with unit and derivation in short; in
-// full, term by term, in docs/rounding.md. Three things are kept apart: rounding error (here), the
-// user's resolution and the user's contact tolerance (options).
+// Every rounding constant of the library, with unit and derivation in short; in full, term by term,
+// in docs/rounding.md. Rounding error is one thing; the tolerances that a caller asks for are
+// another, and are arguments.
 //
 // Assumptions: IEEE 754 doubles rounded to nearest, + - * / sqrt correctly rounded, no contraction
 // (-ffp-contract=off), libm sin, cos and hypot within 1 ulp, magnitudes as the gates admit them.
@@ -27,21 +27,9 @@ inline constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon() /
 // cells, faces, single configurations and segments: 23 (of A), 27 (of B), 51 (of T).
 inline constexpr double kSeparationErrorUnits = 64.0 * PDG_MARGIN_SCALE;
 
-// Error of a pose's angle that was interpolated between two others, in units of u max |theta|:
-// interpolation 5, waypoints' own rounding 1.4.
-inline constexpr double kPoseAngleUnits = 8.0 * PDG_MARGIN_SCALE;
-
 // Largest half-angle (radians) at which a segment's turning is expanded about its middle: beyond
 // it the expansion's error would exceed the bound above, and its slack is of no use.
 inline constexpr double kWidestCoupledTurn = 0.5;
-
-// A guard condition of the star test: at most 84 u (A + B + T) (of T; 26 of A, 32 of B), that is
-// 1.5 separation errors.
-inline constexpr double kGuardErrorFactor = 1.5;
-
-// A weighted sum of up to four functions, per unit of weight: at most 97 u (A + B + T) (of T), that
-// is less than 1.75 separation errors.
-inline constexpr double kJointErrorFactor = 1.75;
 
 // Slack, in the sine of an angle, with which an edge counts as aligned with a direction within a
 // half-angle: normals 4 and 10 u, cross product 2 u, sin h 2 u. Counting one edge too many only
@@ -55,28 +43,6 @@ inline constexpr double kRadiusPadding = 1.0 + 32.0 * PDG_MARGIN_SCALE * kUnitRo
 // Rounding of a vertex on its way into the frame of evaluation (1 u of its magnitude) and of the
 // sums that widen bounds by it, in units of u times the largest coordinate.
 inline constexpr double kVertexUnits = 4.0 * PDG_MARGIN_SCALE;
-
-// Radius of a disc about the robot's origin inside a piece, from its edges' offsets: 6 u of the
-// largest |a|, and the subtraction.
-inline constexpr double kInnerReachUnits = 8.0 * PDG_MARGIN_SCALE;
-// Distance of the origin from the robot's hull, from the nearest points of edges: 5 u of the
-// largest |a|; edges' offsets 6 u; and the sums that widen the domain by it.
-inline constexpr double kHullDistanceUnits = 16.0 * PDG_MARGIN_SCALE;
-
-// By how much the domain is grown on every side, in units of u times the planner's unit of length:
-// rounding of the bounds (1), of corner and size (5).
-inline constexpr double kDomainUnits = 8.0 * PDG_MARGIN_SCALE;
-
-// A cell's corner in the user's units, in units of u times its own magnitude and that of the domain
-// and its size: product and sum 1 each, frame 1, the sum that moves it outwards 1.
-inline constexpr double kCornerUnits = 4.0 * PDG_MARGIN_SCALE;
-
-// Relative slack of the discs that stand for a nearly round robot, in u: libm's cos (2), product
-// and radii (3).
-inline constexpr double kDiscUnits = 16.0;
-
-// By how much, in u relative to it, a way out of contact stays below the contact tolerance.
-inline constexpr double kLiftOffUnits = 8.0;
 
 // Centres of the stretches that a wide cell is cut into, in units of u (|theta| + half-angle).
 inline constexpr double kStretchUnits = 8.0 * PDG_MARGIN_SCALE;
@@ -150,8 +116,5 @@ inline constexpr double kContainmentTolerance = 0x1p-10;
 // for flat kinks.
 inline constexpr double kFirstTurnStep = 0x1p-7;
 inline constexpr double kLastTurnStep = 0x1p-30;
-
-// Steps of the GJK start before the hull goes on from what it has; ten times what was ever seen.
-inline constexpr int kMostStartSteps = 1000;
 
 }  // namespace pdg

@@ -15,7 +15,8 @@ def minkowski_depth(a: Array, b: Array, pose: Pose) -> float:
     """
     moved = placed(a, pose)
     sums = (b[:, None, :] - moved[None, :, :]).reshape(-1, 2)
-    difference, origin = shapely.multipoints(sums).convex_hull, shapely.Point(0, 0)
+    # The hull of a line through all points: as many points would be as many objects.
+    difference, origin = shapely.linestrings(sums).convex_hull, shapely.Point(0, 0)
     distance = float(difference.exterior.distance(origin))
     return distance if difference.contains(origin) else -distance
 

@@ -10,6 +10,7 @@
 #include "depth_upper_bound.hpp"
 #include "pdg/native/depth/generalized_depth.hpp"
 #include "pdg/native/tolerances.hpp"
+#include "tuning.hpp"
 
 namespace pdg {
 namespace {
@@ -26,9 +27,6 @@ struct LaterFirst {
     return a.lower != b.lower ? a.lower > b.lower : std::abs(a.middle) > std::abs(b.middle);
   }
 };
-
-// To begin with the turns in question are cut into so many ranges.
-constexpr int kFirstRanges = 8;
 
 DepthUpperBound first_bound(const PieceSet& a, const PieceSet& b, const Pose& q0,
                             const std::vector<ConvexSeparator>& separators) {
@@ -130,9 +128,6 @@ class BranchAndBound {
       step = std::abs(step);
     }
   }
-
-  // The descent ends at steps that move A by this part of what the tolerance allows.
-  static constexpr double kDescentEnd = 0.05;
 
   const BracketLimits& limits_;
   FreePose best_;     // under DISP

@@ -6,15 +6,12 @@
 #include <numbers>
 
 #include "pdg/native/tolerances.hpp"
+#include "tuning.hpp"
 
 namespace pdg {
 namespace {
 
 using Interval = ContainmentScratch::Interval;
-
-// Intervals to begin with. Two or more keep half-widths within a quarter turn, which lowest_support
-// needs.
-constexpr int kFirstIntervals = 4;
 
 // The stretch of side j's line that the sides before it leave, within `reach` of the origin.
 struct Stretch {

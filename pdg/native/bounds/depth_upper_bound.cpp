@@ -7,16 +7,10 @@
 #include "pdg/native/depth/displacement.hpp"
 #include "pdg/native/depth/placed_outline.hpp"
 #include "pdg/native/tolerances.hpp"
+#include "tuning.hpp"
 
 namespace pdg {
 namespace {
-
-// Doublings of the way beyond touching before a placement is given up.
-constexpr int kMostDoublings = 4;
-
-// Drawing back: even samples of the way, and halvings of the step before the first free one.
-constexpr int kSamplesBack = 16;
-constexpr int kHalvingsBack = 24;
 
 // Whether all of A's vertices, placed in doubles, are beyond the line along B's hull: for certain,
 // as the hull is beyond it by more than all rounding, that of vertices within it included.

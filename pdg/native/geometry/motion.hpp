@@ -92,6 +92,16 @@ inline Motion flattened(const Motion& m, const MotionPart part) {
   return out;
 }
 
+// Half-extent of the translations along n, in units of |n|.
+inline double extent_along(const Motion& m, const Vec2 n) {
+  return std::abs(dot(n, m.g1)) + std::abs(dot(n, m.g2));
+}
+
+// Half-extents of the smallest upright box that holds the translations.
+inline Vec2 box_extent(const Motion& m) {
+  return {std::abs(m.g1.x) + std::abs(m.g2.x), std::abs(m.g1.y) + std::abs(m.g2.y)};
+}
+
 // The single configuration at its centre.
 inline Motion centre_of(const Motion& m) {
   return flattened(flattened(flattened(m, MotionPart::kG1), MotionPart::kG2), MotionPart::kTurn);

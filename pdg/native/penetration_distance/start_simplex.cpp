@@ -7,6 +7,7 @@
 #include "nearest_in_hull.hpp"
 #include "pdg/native/convex_sets/vectors.hpp"
 #include "pdg/native/tolerances.hpp"
+#include "tuning.hpp"
 
 namespace pdg {
 namespace {

@@ -13,6 +13,7 @@
 #include "cover.hpp"
 #include "pdg/native/geometry/predicates.hpp"
 #include "pdg/native/triangulation/triangulate.hpp"
+#include "tuning.hpp"
 
 namespace pdg {
 namespace {
@@ -86,12 +87,6 @@ void merge(PartRings& r, const Index h) {
   join(r.prev[at(t)], r.next[at(h)]);
   for (const Index e : {h, t}) r.next[at(e)] = kNone;
 }
-
-// Orders of merging that are tried; the first that reaches the lower bound of parts ends it. They
-// spare a tenth of the parts of polygons with a dozen vertices, and a hundredth of a hundred's:
-// those of more diagonals than this are merged once.
-constexpr std::size_t kMostDiagonalsOfOrders = 40;
-constexpr std::uint64_t kMergeOrders = 6;
 
 // A fixed factor in [0.5, 1) for the diagonal of two points, different in every order but the
 // first, where it is 1 (a SplitMix64 step).

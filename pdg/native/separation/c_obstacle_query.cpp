@@ -8,16 +8,10 @@
 
 #include "pdg/native/tolerances.hpp"
 #include "separation.hpp"
+#include "tuning.hpp"
 
 namespace pdg {
 namespace {
-
-// Largest half-angle handed to the separation ranges (radians, their limit is pi / 2); wider cells
-// are covered by several turns.
-constexpr double kWidestTurn = 1.5;
-// A stretch may be widened by so much (radians) for the rounding of its centre; with this it stays
-// below pi / 2.
-constexpr double kLargestWidening = 0.05;
 
 // One stretch of orientations with the whole rectangle of translations.
 struct Stretch {

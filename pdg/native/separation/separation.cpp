@@ -5,15 +5,11 @@
 #include <utility>
 
 #include "lower_envelope.hpp"
+#include "tuning.hpp"
 
 namespace pdg {
 
 namespace {
-
-// Half-extent of the translations along a fixed unit direction.
-double fixed_extent(const Motion& m, const Vec2 n) {
-  return std::abs(dot(n, m.g1)) + std::abs(dot(n, m.g2));
-}
 
 double turning_extent_of(const Motion& m, const Vec2 n, const Vec2 g) {
   const double v = std::abs(dot(n, g));
@@ -22,7 +18,7 @@ double turning_extent_of(const Motion& m, const Vec2 n, const Vec2 g) {
   return v * m.cos_half + w * m.sin_half;
 }
 
-// The same along a direction that turns with the robot.
+// Half-extent of the translations along a unit direction that turns with the robot.
 double turning_extent(const Motion& m, const Vec2 n) {
   // The rectangle's extent along any direction is that of one of its diagonals.
   return std::max(turning_extent_of(m, n, m.g1 + m.g2), turning_extent_of(m, n, m.g1 - m.g2));
@@ -77,7 +73,7 @@ Range obstacle_edge_range(const PosedPiece& a, const ConvexPiece& b, const Motio
   c.first = e.first;
   c.count = e.count;
   const double shift = dot(n, m.t) - edge.offset;
-  const double extent = fixed_extent(m, n);
+  const double extent = extent_along(m, n);
   const Range box{e.lo + shift - extent, e.hi + shift + extent, 0.5 * (e.hi - e.lo)};
   if (!coupled_turn(m)) return box;
   const double along = dot(n, m.g1);
@@ -116,7 +112,7 @@ double quick_high(const PosedPiece& a, const ConvexPiece& b, const Motion& m, co
   if (c.owner == EdgeOwner::kObstacle) {
     const Edge& edge = b.edges[c.edge];
     return dot(edge.normal, a.inner_centre + m.t) - edge.offset - a.piece->inner_radius +
-           a.piece->reach * m.half_angle + fixed_extent(m, edge.normal);
+           a.piece->reach * m.half_angle + extent_along(m, edge.normal);
   }
   const Vec2 n = a.normals[c.edge];
   const Vec2 u = b.inner_centre - m.t;
@@ -124,9 +120,6 @@ double quick_high(const PosedPiece& a, const ConvexPiece& b, const Motion& m, co
   return std::max(v, v * m.cos_half) + std::abs(cross(u, n)) * m.sin_half -
          a.piece->edges[c.edge].offset - b.inner_radius + m.g1_length + m.g2_length;
 }
-
-// Below this many candidate vertices the full range costs no more than the quick bound.
-constexpr std::uint16_t kQuickVertices = 3;
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // Separation of one pair of convex pieces (A moving, B fixed) over a whole set of configurations.
 //
-// Separating-axis functions, outward unit normals (design: "Separation of one pair over a cell"):
+// Separating-axis functions, outward unit normals (docs/method.md, "Labels"):
 //   obstacle edge (n, d):  s(q) = min over vertices a of A of n . (R(theta) a + t) - d
 //   robot edge (m, c):     s(q) = min over vertices b of B of R(theta) m . (b - t) - c
 // The pair is apart or touching iff some s >= 0; when all are negative PD^t = -max s.

@@ -10,11 +10,10 @@
 #include <numeric>
 #include <tuple>
 
+#include "tuning.hpp"
+
 namespace pdg {
 namespace {
-
-// Sets of this size are in order as they are.
-constexpr Index kSmallRound = 64;
 
 // A SplitMix64 step: a fixed "random" number of an index.
 std::uint64_t scrambled(const std::uint64_t index) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pdg/native/geometry/vec.hpp"
+#include "tuning.hpp"
 
 namespace pdg {
 
@@ -17,11 +18,6 @@ using Index = std::int32_t;
 inline constexpr Index kNone = -1;
 
 inline constexpr double kUnmeasured = -1.0;
-
-// The largest number of edges that are looked at while the constraints of one polygon make room for
-// themselves: some ten seconds. It grows with the square of how many edges a constraint crosses,
-// which is few but for thousands of vertices that crowd along lines across it.
-inline constexpr std::uint64_t kMostConstraintSteps = 200'000'000;
 
 struct PointMesh {
   std::vector<Vec2> points;         // distinct, sorted lexicographically

@@ -9,6 +9,7 @@
 #include "edge_insertion.hpp"
 #include "triangulate_points.hpp"
 #include "triangulate_sweep.hpp"
+#include "tuning.hpp"
 
 namespace pdg {
 namespace {
@@ -16,17 +17,6 @@ namespace {
 constexpr std::size_t at(const Index i) {
   return static_cast<std::size_t>(i);
 }
-
-// Larger polygons have their edges put in: a sweep may leave slivers that take a number of flips
-// that is quadratic.
-constexpr std::size_t kMostSweptVertices = 2048;
-
-// Where putting edges in takes longer, about a second, such a polygon is swept after all, if it can
-// be. Then slivers may stay: any triangulation is right, good angles only make fewer pieces. The
-// flips allowed are more than a smaller polygon's square, or a mesh of points with edges, takes.
-constexpr std::uint64_t kStepsBeforeSweep = 20'000'000;
-constexpr std::uint64_t kMostFlips = 5'000'000;
-constexpr std::uint64_t kMostFlipsPerTriangle = 100;
 
 // Per triangle: 1 inside, 0 outside, by the parity of constraints crossed from outside the hull.
 std::vector<std::int8_t> inside_flags(const PointMesh& mesh) {

@@ -8,6 +8,7 @@
 
 #include "insertion_order.hpp"
 #include "pdg/native/geometry/predicates.hpp"
+#include "tuning.hpp"
 
 namespace pdg {
 namespace {
@@ -15,10 +16,6 @@ namespace {
 constexpr std::size_t at(const Index i) {
   return static_cast<std::size_t>(i);
 }
-
-// Up to so many points are added from left to right, which is quickest but may take a number of
-// flips that is quadratic (teeth between two columns); that many take some hundredths of a second.
-constexpr Index kSweptPoints = 2048;
 
 // The hull, counter-clockwise: the neighbours of each point on it.
 struct Hull {

@@ -4,18 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "tuning.hpp"
+
 namespace planner {
 
 namespace {
-
-// A face is halved at most so often, and at most so many parts are looked at, before one of its
-// cells is split instead. Larger values trade cells for face tests.
-constexpr int kFaceDepth = 10;
-constexpr int kFaceBudget = 48;
-
-// Most faces between solid cells have a guard, so that is asked first; only the rest are asked for
-// joint obstruction, all of them, since a face that is left undecided costs a cell.
-constexpr Questions kFaceQuestions{.star_first = true, .joint_if_centre_looks_free = true};
 
 std::uint64_t middle(const std::uint64_t low, const std::uint64_t size) {
   return low + size / 2;

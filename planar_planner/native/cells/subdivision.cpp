@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "growth.hpp"
+#include "tuning.hpp"
 
 namespace planner {
 
@@ -24,18 +25,6 @@ void erase_value(std::vector<CellId>& list, const CellId value) {
   *at = list.back();
   list.pop_back();
 }
-
-// Sways of at least this part of the largest count as comparable. 1 makes cells needlessly thin, 0
-// forgets what the undecided functions depend on; measured over the shipped families and gates.
-constexpr double kComparable = 0.5;
-
-// Cells whose motion radius is below this part of the robot's reach are asked which axis settles
-// them. Larger: fewer cells yet, at more time a cell; 0.2 costs the shipped scenes no time.
-// Measured; any value is sound.
-constexpr double kAskBelow = 0.2;
-
-// More cells are FULL by several pairs than STAR, and one whose centre looks free is not FULL.
-constexpr Questions kCellQuestions{.settle_below = kAskBelow};
 
 // How often the cell has been halved along single axes beyond its motion radius: the sum of
 // log2(radius / width).

@@ -7,21 +7,16 @@
 
 #include "convex_clip.hpp"
 #include "pdg/native/geometry/predicates.hpp"
-#include "pdg/native/tolerances.hpp"
+#include "planar_planner/native/tolerances.hpp"
 #include "planar_planner/native/world/pieces.hpp"
 #include "pose.hpp"
+#include "tuning.hpp"
 
 namespace planner {
 
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-
-// Where a guess lies between the nearest point of a part and the part's middle, and how much of
-// half an interval of angles it keeps to: neither on the very edge. Any value in (0, 1) will do.
-constexpr double kInwards = 0.125;
-// The guesses that are handed out at once.
-constexpr std::size_t kMostGuesses = 8;
 
 // Exactly: does the closed convex part hold the point?
 bool holds(const pdg::ConvexPolygon& part, const Vec2 p) {
@@ -92,7 +87,7 @@ Rectangle GoalRegion::around(const CellSpace& space, const CellBox& box) const {
   const Vec2 high = to_user(problem_, position_of(space, box.high(kX), box.high(kY)));
   const double extent = length_to_user(problem_, space.domain.reach + pdg::norm(space.domain.size));
   const auto slack = [&](const double at) {
-    return pdg::kCornerUnits * pdg::kUnitRoundoff * (std::abs(at) + extent);
+    return kCornerUnits * pdg::kUnitRoundoff * (std::abs(at) + extent);
   };
   return {{low.x - slack(low.x), low.y - slack(low.y)},
           {high.x + slack(high.x), high.y + slack(high.y)}};

@@ -15,10 +15,9 @@ namespace planner {
 
 // Distance from the motion's translations to a rectangle, up to rounding.
 inline double distance_to_box(const pdg::Motion& m, const Vec2 low, const Vec2 high) {
-  const double ex = std::abs(m.g1.x) + std::abs(m.g2.x);
-  const double ey = std::abs(m.g1.y) + std::abs(m.g2.y);
-  const double dx = std::max({low.x - m.t.x, m.t.x - high.x, 0.0}) - ex;
-  const double dy = std::max({low.y - m.t.y, m.t.y - high.y, 0.0}) - ey;
+  const Vec2 extent = box_extent(m);
+  const double dx = std::max({low.x - m.t.x, m.t.x - high.x, 0.0}) - extent.x;
+  const double dy = std::max({low.y - m.t.y, m.t.y - high.y, 0.0}) - extent.y;
   return pdg::norm({std::max(dx, 0.0), std::max(dy, 0.0)});
 }
 
@@ -40,8 +39,9 @@ inline Vec2 between_circles(const pdg::Motion& m, const pdg::Rotation rotation,
 // Lower bound of the distance between the pieces' bounding circles over the motion, up to rounding.
 inline double circle_distance(const pdg::Motion& m, const Vec2 d, const pdg::ConvexPiece& a,
                               const pdg::ConvexPiece& b) {
-  const double dx = std::max(std::abs(d.x) - std::abs(m.g1.x) - std::abs(m.g2.x), 0.0);
-  const double dy = std::max(std::abs(d.y) - std::abs(m.g1.y) - std::abs(m.g2.y), 0.0);
+  const Vec2 extent = box_extent(m);
+  const double dx = std::max(std::abs(d.x) - extent.x, 0.0);
+  const double dy = std::max(std::abs(d.y) - extent.y, 0.0);
   // |R(theta + delta) c - R(theta) c| = 2 |c| sin(|delta| / 2) <= |c| |delta|
   return pdg::norm({dx, dy}) - pdg::norm(a.centre) * m.half_angle - a.radius - b.radius;
 }

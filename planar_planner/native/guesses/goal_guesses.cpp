@@ -3,14 +3,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "tuning.hpp"
+
 namespace planner {
 
 namespace {
-
-// Goals that trees grow from at most, and configurations asked about for them: more goals find more
-// ways in, but each has to grow its own way out. Any number is sound.
-constexpr std::size_t kMostTrees = 12;
-constexpr int kSamples = 60;
 
 // A low-discrepancy sequence: fractions of n / 2, n / 3 and n / 5 mirrored at the point (Halton).
 double mirrored(int n, const int base) {
@@ -35,10 +32,10 @@ std::vector<Configuration> free_goals(const GoalRegion& region, CollisionHint& h
   std::vector<Configuration> out;
   const auto keep_if_free = [&](Configuration q) {
     if (!problem.rotation) q.theta = start.theta;
-    if (out.size() < kMostTrees && hint.gap(pose_of(problem, q)) >= 0.0) out.push_back(q);
+    if (out.size() < kMostGoalTrees && hint.gap(pose_of(problem, q)) >= 0.0) out.push_back(q);
   };
   for (const Configuration& q : region.near(start)) keep_if_free(q);
-  for (int n = 1; n <= kSamples; ++n)
+  for (int n = 1; n <= kGoalSamples; ++n)
     if (const auto q = region.sample(mirrored(n, 2), mirrored(n, 3), mirrored(n, 5)))
       keep_if_free(*q);
   return out;

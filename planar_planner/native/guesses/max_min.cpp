@@ -6,14 +6,14 @@
 #include <limits>
 #include <utility>
 
+#include "tuning.hpp"
+
 namespace planner {
 
 namespace {
 
 // Terms that balance at the optimum: one more than there are variables.
 constexpr std::size_t kMost = 4;
-// Terms that may be taken in or let go: a hint needs no more.
-constexpr int kExchanges = 40;
 
 // Weights lambda >= 0 of the active terms, their sum 1: d = (sum lambda_i gradient_i) / price, and
 // all active terms are equal to `least` there.

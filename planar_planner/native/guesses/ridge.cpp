@@ -6,27 +6,13 @@
 #include <utility>
 
 #include "planar_planner/native/paths/segment.hpp"
+#include "tuning.hpp"
 
 namespace planner {
 
 using pdg::EdgeOwner;
 
 namespace {
-
-// Measured over the families of bench/error_time.py; none of them steers more than work.
-// Steps of one climb, rejected ones included. On a ridge each squares what is left.
-constexpr int kSteps = 5;
-// A climb ends where the clearance is this part of its radius, or the next step promises less than
-// that part of the clearance.
-constexpr double kRoomy = 0.125;
-constexpr double kEnough = 0.1;
-// Steps after one that gained nothing are so much shorter.
-constexpr double kShorter = 0.25;
-// Bounds the length of a gradient: 1 by translation, about 1 by turning where pieces are near.
-constexpr double kSteepest = 1.5;
-// An axis is good if it separates its pair by this part of what the best one does. In a gate the
-// edges of both bodies are: all of them together hold the robot aligned, each alone lets it tilt.
-constexpr double kGood = 0.5;
 
 void add_edges(const PairHeader& pair, const EdgeOwner owner, const std::size_t edges,
                std::vector<PairAxis>& axes) {
@@ -143,7 +129,7 @@ Height RidgeClimb::climb_by(Pose at, double radius, const Linearise& linearise) 
   const double roomy = kRoomy * radius;
   double clearance = linearise(at);
   std::swap(terms_, terms_here_);
-  for (int i = 0; i < kSteps && clearance < roomy && !terms_here_.empty(); ++i) {
+  for (int i = 0; i < kClimbSteps && clearance < roomy && !terms_here_.empty(); ++i) {
     terms_here_.push_back({roomy, {}});  // no farther than that
     const MaxMinStep step = max_min_step(terms_here_, kSteepest / radius);
     if (!(step.least - clearance > kEnough * std::abs(step.least))) break;
@@ -154,7 +140,7 @@ Height RidgeClimb::climb_by(Pose at, double radius, const Linearise& linearise) 
       clearance = there;
       std::swap(terms_, terms_here_);
     } else {
-      radius *= kShorter;
+      radius *= kShorterStep;
       terms_here_.pop_back();
     }
   }

@@ -10,6 +10,7 @@
 #include "planar_planner/native/limits.hpp"
 #include "planar_planner/native/paths/segment.hpp"
 #include "ridge_path.hpp"
+#include "tuning.hpp"
 
 namespace planner {
 
@@ -34,11 +35,8 @@ class RidgeAttempts {
   SegmentTest& segments_;
   Statistics& statistics_;
   RidgePath ridge_;
-  std::uint64_t next_cells_ = kFirst;     // Statistics::labelled_cells that make it due ...
-  std::uint64_t next_work_ = UINT64_MAX;  // ... or Statistics::axis_work()
-
-  // Channels are too coarse before so many cells have been labelled.
-  static constexpr std::uint64_t kFirst = 128;
+  std::uint64_t next_cells_ = kFirstAttempt;  // Statistics::labelled_cells that make it due ...
+  std::uint64_t next_work_ = UINT64_MAX;      // ... or Statistics::axis_work()
 };
 
 }  // namespace planner

@@ -3,15 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tuning.hpp"
+
 namespace planner {
-
-namespace {
-
-// How often a gap may be halved. Two suffice to enter a gate and to leave it; where more are needed
-// the channel is still too coarse.
-constexpr int kHalvings = 3;
-
-}  // namespace
 
 bool RidgePath::spent() const {
   return statistics_.axis_work() >= most_ || (*stop_)();
@@ -134,7 +128,7 @@ std::vector<Configuration> RidgePath::find(const std::vector<CellId>& channel,
     const Foothold& from = footholds_[gap.from];
     const Foothold& to = footholds_[gap.from + 1];
     look_between(channel, from, to);
-    if (!connect(from.pose, to.pose, kHalvings, gap.poses)) return {};
+    if (!connect(from.pose, to.pose, kGapHalvings, gap.poses)) return {};
   }
   std::sort(gaps_.begin(), gaps_.end(), [](const Gap& a, const Gap& b) { return a.from < b.from; });
   std::vector<Configuration> path{start};

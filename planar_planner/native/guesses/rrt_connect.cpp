@@ -7,27 +7,11 @@
 #include <numeric>
 #include <utility>
 
+#include "tuning.hpp"
+
 namespace planner {
 
 namespace {
-
-// Longest edge, relative to the diagonal of the domain: of 0.1 to 0.4, what solved most of the
-// shipped scenes within a few hundred checks, over 21 seeds.
-constexpr double kRange = 0.14;
-// The length adapts to the room that there is: shorter by this factor after an edge that was
-// blocked, longer after one that passed, but never below this part of the robot's reach. Over 15
-// seeds and all scenes with a path that trees find: up to fifty times fewer questions than with one
-// length.
-constexpr double kShorter = 0.8;
-constexpr double kLonger = 1.15;
-constexpr double kShortestRange = 0.6;
-// How far a tree grows towards one sample, relative to the robot's reach: a step of the longest
-// range, or shorter ones that make up this way. Between single steps (fence: twice as many
-// questions) and growing as far as it goes (open scenes: half as many again), over 100 seeds of
-// twelve scenes.
-constexpr double kLongestGrowth = 2.0;
-// Nodes passed over by a search for the nearest that take as long as one question of the hint.
-constexpr std::size_t kNodesPerCheck = 64;
 
 // Where a node has been cut off.
 constexpr std::uint32_t kCut = UINT32_MAX;
@@ -56,8 +40,8 @@ RrtConnect::RrtConnect(const Problem& problem, CollisionHint& hint, const Budget
       most_work_(budget.work),
       start_(start),
       goals_(goals.begin(), goals.end()),
-      longest_(kRange * pdg::norm(problem.domain.size)),
-      shortest_(std::min(longest_, kShortestRange * problem.robot.reach)),
+      longest_(kLongestEdge * pdg::norm(problem.domain.size)),
+      shortest_(std::min(longest_, kShortestEdge * problem.robot.reach)),
       longest_growth_(kLongestGrowth * problem.robot.reach),
       range_(longest_),
       from_start_{{wrapped(pose_of(problem, start)), 0}} {
@@ -124,10 +108,10 @@ RrtConnect::Advance RrtConnect::step(Tree& tree, const std::uint32_t from, const
   const bool reaches = way <= range_;
   const Pose end = reaches ? target : towards(begin, target, range_ / way);
   if (!passes(begin, end)) {
-    range_ = std::max(kShorter * range_, shortest_);
+    range_ = std::max(kShorterEdge * range_, shortest_);
     return Advance::kTrapped;
   }
-  range_ = std::min(kLonger * range_, longest_);
+  range_ = std::min(kLongerEdge * range_, longest_);
   tree.push_back({end, from});
   return reaches ? Advance::kReached : Advance::kAdvanced;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pdg/native/separation/separation.hpp"
+#include "planar_planner/native/tolerances.hpp"
 
 namespace planner {
 
@@ -107,11 +108,11 @@ bool proves(const std::vector<Term>& terms, const Motion& m,
     total += weight;
     largest = std::max(largest, t.error);
   }
-  const double extent = std::abs(dot(sum.normal, m.g1)) + std::abs(dot(sum.normal, m.g2));
+  const double extent = extent_along(m, sum.normal);
   // |(R(delta) - 1) sum of M_k . e|: what cancels between the robot's edges stays cancelled.
   const double bend = pdg::norm(sum.turning) * unit_bend(m);
   const double bound = pdg::sinusoid_range(sum.v, sum.w, m).hi + sum.value + bend + extent;
-  return bound < -pdg::kJointErrorFactor * largest * total;
+  return bound < -kJointErrorFactor * largest * total;
 }
 
 // The programme's weights as weights of the terms that it was made of.

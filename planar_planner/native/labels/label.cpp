@@ -5,6 +5,7 @@
 
 #include "pdg/native/geometry/motion_bound.hpp"
 #include "planar_planner/native/configurations/nearby.hpp"
+#include "tuning.hpp"
 
 namespace planner {
 
@@ -45,26 +46,6 @@ struct Labeller::Pass {
   std::size_t deepest = 0;     // its place among the pairs
   std::size_t deepest_at = 0;  // and of its first constraint
 };
-
-namespace {
-
-// Half-extents of the box that holds the translations.
-Vec2 box_extent(const Motion& m) {
-  return {std::abs(m.g1.x) + std::abs(m.g2.x), std::abs(m.g1.y) + std::abs(m.g2.y)};
-}
-
-// A pair stays closed while the motion radius exceeds a part of its circles' radii: such a cell is
-// hardly ever FULL and not worth the pair's functions yet. Smaller opens later: less work a cell,
-// weaker labels, more cells. Of many pieces one alone covers little, so their pairs open later,
-// but for those whose circles meet at every corner of the translations, without which a pair cannot
-// cover the cell. Measured on mazes, fields and chains of baffles (two pieces), combs and gears
-// (eleven and more); any positive values are sound.
-constexpr std::size_t kManyPieces = 8;
-constexpr double kOpeningOfFew = 0.5;
-constexpr double kOpeningOfMany = 0.34;
-constexpr double kCoveringOfMany = 0.7;
-
-}  // namespace
 
 Labeller::Labeller(const Robot& robot, ObstacleTree& tree, Statistics& statistics,
                    const Parts& parts)

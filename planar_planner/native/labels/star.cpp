@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pdg/native/separation/separation.hpp"
+#include "planar_planner/native/tolerances.hpp"
 
 namespace planner {
 
@@ -20,10 +21,6 @@ double sine_defect(const Motion& m) {
   const double h = m.half_angle;
   if (h < 0.125) return h * h * h / 3.0;  // sin h - h cos h = h^3/3 - h^5/30 + ...
   return m.sin_half - h * m.cos_half;
-}
-
-double extent_along(const Motion& m, const Vec2 n) {
-  return std::abs(dot(n, m.g1)) + std::abs(dot(n, m.g2));
 }
 
 template <class Visit>
@@ -134,7 +131,7 @@ bool collect(const ObstacleTree& tree, StarScratch& scratch, const Motion& motio
   for (const PairHeader& header : list.pairs) {
     const PosedPiece a = posed.piece(header.robot);
     const ConvexPiece& b = tree.piece(header.obstacle);
-    const double error = pdg::kGuardErrorFactor * pdg::separation_error(*a.piece, b, motion);
+    const double error = kGuardErrorFactor * pdg::separation_error(*a.piece, b, motion);
     for (std::size_t i = 0; i < header.count; ++i) {
       const Constraint& c = list.constraints[at + i];
       if (c.owner == EdgeOwner::kObstacle)

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdint>
 
+#include "tuning.hpp"
+
 namespace planner {
 
 namespace {
-
-constexpr int kPivots = 24;
 
 constexpr std::size_t kSlacks = 6;
 

@@ -6,6 +6,7 @@
 
 #include "pdg/native/separation/separation.hpp"
 #include "planar_planner/native/configurations/nearby.hpp"
+#include "tuning.hpp"
 
 namespace planner {
 
@@ -26,10 +27,6 @@ double pair_separation(const pdg::PosedPiece& a, const pdg::ConvexPiece& b,
   }
   return best;
 }
-
-// A hull that is this part of the robot's reach away is far enough for an estimate: the polygon in
-// it is not decomposed for a better one.
-constexpr double kFarHull = 0.1;
 
 class Probe {
  public:

@@ -12,13 +12,11 @@
 #include "planar_planner/native/configurations/pose.hpp"
 #include "planar_planner/native/world/obstacle_tree.hpp"
 #include "planar_planner/native/world/problem.hpp"
+#include "tuning.hpp"
 
 namespace planner {
 
 inline constexpr double kCollides = -1.0;
-
-// Obstacle vertices that are decomposed in less time than a first try takes.
-inline constexpr std::size_t kSmallScene = 300;
 
 class CollisionHint {
  public:
@@ -50,7 +48,7 @@ class CollisionHint {
 
   const Problem& problem_;
   ObstacleTree& tree_;
-  bool small_;                                    // a scene that is decomposed without a thought
+  bool small_;                                    // a scene whose polygons are all decomposed
   std::vector<Vec2> vertices_, normals_;          // of the robot's pieces, turned but not moved
   std::vector<std::uint64_t> turned_at_;          // by piece: the call that turned it last
   std::vector<std::uint32_t> open_;               // nodes still to visit

@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tuning.hpp"
+
 namespace planner {
-
-namespace {
-
-constexpr std::size_t kEdgesPerRun = 16;
-
-}  // namespace
 
 Outline::Outline(const PolygonSet& set, const std::size_t index, const pdg::Frame& frame) {
   for (std::size_t r = set.polygon_starts[index]; r < set.polygon_starts[index + 1]; ++r) {

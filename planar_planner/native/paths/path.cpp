@@ -4,19 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "tuning.hpp"
+
 namespace planner {
 
 namespace {
-
-// Least clearance is reported to this relative accuracy, unless the number of intervals runs out.
-constexpr double kClearanceTolerance = 0.05;
-constexpr int kClearanceIntervals = 400;
-// The part of it that a shortcut has to keep.
-constexpr double kKeptClearance = 0.5;
-
-// Where a shortcut is looked at before it is certified: a certificate that must fail costs more
-// than one that succeeds.
-constexpr std::array<double, 3> kShortcutGlances = {0.5, 0.25, 0.75};
 
 bool looks_blocked(CollisionHint& hint, const Pose& from, const Pose& to) {
   return std::any_of(kShortcutGlances.begin(), kShortcutGlances.end(),

@@ -5,19 +5,13 @@
 #include <numbers>
 
 #include "pdg/native/depth/translational_depth.hpp"
-#include "pdg/native/tolerances.hpp"
 #include "planar_planner/native/configurations/nearby.hpp"
+#include "planar_planner/native/tolerances.hpp"
+#include "tuning.hpp"
 
 namespace planner {
 
 namespace {
-
-// Directions and lengths that a way out of a contact is looked for in: a full turn in 64 steps,
-// from 4^-6 of the tolerance upwards.
-constexpr int kDirections = 64;
-constexpr int kLengths = 7;
-// Pairs whose circles are this far apart (planner units) do not touch, whatever the rounding.
-constexpr double kTouching = 0x1p-20;
 
 pdg::ConvexPolygon turned(const pdg::ConvexPiece& piece, const pdg::Rotation rotation,
                           const Vec2 t) {
@@ -51,7 +45,7 @@ Deepest deepest_pair(const Problem& problem, ObstacleTree& tree, const pdg::Moti
   for (const pdg::ConvexPiece& piece : problem.robot.pieces)
     bodies.push_back(turned(piece, rotation, motion.t));
   Deepest deepest;
-  visit_nearby_pairs(problem.robot, tree, motion, rotation, kTouching,
+  visit_nearby_pairs(problem.robot, tree, motion, rotation, kTouchingGap,
                      [&](const std::uint32_t obstacle, const std::size_t robot) {
                        const pdg::ConvexPiece& b = tree.piece(obstacle);
                        const double depth =
@@ -106,7 +100,7 @@ Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
 
 std::optional<Configuration> lift_off(const Problem& problem, SegmentTest& test,
                                       const Configuration& q, const double tolerance) {
-  const double most = tolerance * (1.0 - pdg::kLiftOffUnits * pdg::kUnitRoundoff);
+  const double most = tolerance * (1.0 - kLiftOffUnits * pdg::kUnitRoundoff);
   const auto moved = [&](const int direction, const int k) -> std::optional<Configuration> {
     const double angle = 2.0 * std::numbers::pi * direction / kDirections;
     // Rounding of the sums may carry it beyond the tolerance, most of all far from the user's

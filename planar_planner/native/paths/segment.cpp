@@ -5,18 +5,11 @@
 #include <numbers>
 #include <utility>
 
-#include "pdg/native/tolerances.hpp"
 #include "planar_planner/native/labels/star.hpp"
+#include "planar_planner/native/tolerances.hpp"
+#include "tuning.hpp"
 
 namespace planner {
-
-namespace {
-
-// A segment that needs more labelled intervals, or deeper bisection, counts as not certified.
-constexpr int kIntervalBudget = 2000;
-constexpr std::size_t kDepth = 44;
-
-}  // namespace
 
 Pose between(const Pose& from, const Pose& to, const double s) {
   return {from.t + s * (to.t - from.t), from.theta + s * (to.theta - from.theta)};
@@ -31,8 +24,8 @@ pdg::Motion motion_along(const Problem& problem, const Pose& from, const Pose& t
       pdg::make_segment_motion(between(from, to, 0.5 * (i.begin + i.end)).t, half * (to.t - from.t),
                                half * (to.theta - from.theta), reach);
   // theta is rounded once at its own magnitude, here and when the pose was made.
-  m.angle_error = pdg::kPoseAngleUnits * pdg::kUnitRoundoff *
-                  std::max(std::abs(from.theta), std::abs(to.theta));
+  m.angle_error =
+      kPoseAngleUnits * pdg::kUnitRoundoff * std::max(std::abs(from.theta), std::abs(to.theta));
   return m;
 }
 
@@ -49,15 +42,15 @@ std::optional<double> SegmentTest::clearance(const Pose& pose) {
 bool SegmentTest::certify(const Pose& from, const Pose& to, const double margin) {
   margin_ = margin;
   ++statistics_.segments_tested;
-  if (lists_.size() < kDepth + 2) lists_.resize(kDepth + 2);
+  if (lists_.size() < kDeepestInterval + 2) lists_.resize(kDeepestInterval + 2);
   labeller_.root_list(lists_[0]);
-  budget_ = kIntervalBudget;
+  budget_ = kMostIntervals;
   return certify_interval(from, to, {0.0, 1.0}, view(lists_[0]), 1);
 }
 
 bool SegmentTest::certify_interval(const Pose& from, const Pose& to, const Interval interval,
                                    const ConstraintView& parent, const std::size_t depth) {
-  if (depth > kDepth || --budget_ < 0) return false;
+  if (depth > kDeepestInterval || --budget_ < 0) return false;
   const double middle = 0.5 * (interval.begin + interval.end);
   pdg::Motion motion = motion_along(problem_, from, to, interval);
   motion.margin = margin_;

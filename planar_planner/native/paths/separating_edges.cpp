@@ -6,15 +6,11 @@
 #include <utility>
 
 #include "pdg/native/tolerances.hpp"
+#include "tuning.hpp"
 
 namespace planner {
 
 namespace {
-
-// Parts are halved at most so often, and there are at most so many: far more than a certified
-// segment takes.
-constexpr int kDepth = 50;
-constexpr std::size_t kParts = 1U << 20U;
 
 bool meet(const Vec2 a_low, const Vec2 a_high, const Vec2 b_low, const Vec2 b_high,
           const double margin) {
@@ -108,7 +104,7 @@ void SeparatingEdges::gather(const std::uint32_t index, const Box& swept) {
 
 bool SeparatingEdges::prove_part(const Interval interval, const std::vector<std::uint32_t>& near,
                                  const int depth) {
-  if (depth > kDepth || proven_.size() >= kParts) return false;
+  if (depth > kDeepestPart || proven_.size() >= kMostParts) return false;
   const double middle = 0.5 * (interval.begin + interval.end);
   const Pose centre = between(from_, to_, middle);
   Part part{motion_along(problem_, from_, to_, interval), {}, {}};

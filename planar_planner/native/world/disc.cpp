@@ -3,21 +3,17 @@
 #include <cmath>
 #include <numbers>
 
-#include "pdg/native/tolerances.hpp"
+#include "planar_planner/native/tolerances.hpp"
+#include "tuning.hpp"
 
 namespace planner {
 
 namespace {
 
-constexpr int kSides = 16;
-// Robots with a larger ratio of their outer to their inner radius are not tried: the two scenes
-// would mostly be undecided. The polygons themselves add a factor of cos(pi / 16)^-2 = 1.04.
-constexpr double kDiscRatio = 1.25;
-
 PolygonSet regular_polygon(const double radius) {
   Polygon polygon{{{}}};
-  for (int i = 0; i < kSides; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / kSides;
+  for (int i = 0; i < kDiscSides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kDiscSides;
     polygon.rings[0].push_back({radius * std::cos(angle), radius * std::sin(angle)});
   }
   PolygonSet set;
@@ -44,9 +40,9 @@ std::optional<DiscScenes> disc_scenes(const Problem& problem) {
   const Robot& robot = problem.robot;
   if (!problem.rotation || robot.inner_reach <= 0.0 || robot.reach > kDiscRatio * robot.inner_reach)
     return std::nullopt;
-  constexpr double slack = pdg::kDiscUnits * pdg::kUnitRoundoff;
-  const double outer =
-      length_to_user(problem, robot.reach) * (1.0 + slack) / std::cos(std::numbers::pi / kSides);
+  constexpr double slack = kDiscUnits * pdg::kUnitRoundoff;
+  const double outer = length_to_user(problem, robot.reach) * (1.0 + slack) /
+                       std::cos(std::numbers::pi / kDiscSides);
   const double inner = length_to_user(problem, robot.inner_reach) * (1.0 - slack);
   return DiscScenes{with_robot(problem, regular_polygon(outer)),
                     with_robot(problem, regular_polygon(inner))};

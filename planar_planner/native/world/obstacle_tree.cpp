@@ -6,13 +6,11 @@
 #include "pdg/native/geometry/convex_hull.hpp"
 #include "pdg/native/tolerances.hpp"
 #include "pieces.hpp"
+#include "tuning.hpp"
 
 namespace planner {
 
 namespace {
-
-// Polygons of fewer vertices are decomposed about as soon as their hull is asked.
-constexpr std::size_t kHullVertices = 10;
 
 // Bounds that hold for the exact coordinates: to_frame errs by u per unit of magnitude.
 void round_outwards(Vec2& low, Vec2& high) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pdg/native/tolerances.hpp"
+#include "planar_planner/native/tolerances.hpp"
 
 namespace planner {
 
@@ -48,7 +48,7 @@ Rectangle reachable(const Rectangle& box, const Robot& robot) {
 
 Domain make_domain(const Rectangle& box) {
   Domain domain;
-  constexpr double slack = pdg::kDomainUnits * pdg::kUnitRoundoff;
+  constexpr double slack = kDomainUnits * pdg::kUnitRoundoff;
   domain.low = {box.low.x - slack, box.low.y - slack};
   domain.size = {box.high.x - box.low.x + 2 * slack, box.high.y - box.low.y + 2 * slack};
   const double x = std::max(std::abs(box.low.x), std::abs(box.high.x));

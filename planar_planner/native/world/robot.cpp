@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "pdg/native/geometry/convex_hull.hpp"
-#include "pdg/native/tolerances.hpp"
 #include "pieces.hpp"
+#include "planar_planner/native/tolerances.hpp"
 
 namespace planner {
 
@@ -21,7 +21,7 @@ double origin_outside(const pdg::ConvexPiece& piece) {
 // Upper bound of the distance of the origin from a convex piece, by its edges' nearest points; 0 if
 // it is inside beyond doubt. Near a sharp vertex it can be far out although no edge's line is.
 double origin_distance(const pdg::ConvexPiece& piece) {
-  const double slack = pdg::kHullDistanceUnits * pdg::kUnitRoundoff * piece.reach;
+  const double slack = kHullDistanceUnits * pdg::kUnitRoundoff * piece.reach;
   if (origin_outside(piece) < -slack) return 0.0;
   double nearest = INFINITY;
   for (std::size_t k = 0; k < piece.edges.size(); ++k) {
@@ -59,7 +59,7 @@ Robot make_robot(const PolygonSet& polygons, const int exponent, const bool part
   }
   robot.first_vertex.push_back(static_cast<std::uint32_t>(robot.vertex_total));
   robot.inner_reach =
-      std::max(0.0, robot.inner_reach - pdg::kInnerReachUnits * pdg::kUnitRoundoff * robot.reach);
+      std::max(0.0, robot.inner_reach - kInnerReachUnits * pdg::kUnitRoundoff * robot.reach);
   robot.hull_distance = origin_distance(robot.pieces.back());
   return robot;
 }

@@ -7,6 +7,7 @@
 
 #include "planar_planner/native/labels/classify.hpp"
 #include "planar_planner/native/labels/star.hpp"
+#include "planar_planner/native/tolerances.hpp"
 #include "planner_worlds.hpp"
 
 namespace {
@@ -43,7 +44,7 @@ pdg::Motion motion_of(const World& world, const Shape& shape, const double scale
   pdg::Motion m = pdg::make_motion(shape.t, {scale * shape.x, 0.0}, {0.0, scale * shape.y},
                                    pdg::half_angle_of(std::min(scale * shape.turn, 0.78)),
                                    world.problem.domain.reach + 2.0);
-  m.angle_error = pdg::kPoseAngleUnits * pdg::kUnitRoundoff * std::abs(shape.theta);
+  m.angle_error = planner::kPoseAngleUnits * pdg::kUnitRoundoff * std::abs(shape.theta);
   return m;
 }
 

@@ -23,6 +23,7 @@ SHARED_MODULES = {
     "planar_planner",
     "planar_planner.certificate_keys",
     "planar_planner.errors",
+    "planar_planner.frozen_arrays",  # of a problem
     "planar_planner.load",
     "planar_planner.tolerances",  # of the readers of drawings
 }
@@ -143,6 +144,6 @@ def test_a_verification_loads_none_of_the_planner(name: str, tmp_path: Path) -> 
 
 def test_a_solve_loads_the_planner() -> None:
     """So the names of what a verification must not load are right."""
-    loaded = modules_after("from planar_planner import solve\nassert solve('slide')")
+    loaded = modules_after("from planar_planner import solve\nsolve('slide')")
     for planner in PLANNERS:
         assert any(module.startswith(planner) for module in loaded), planner

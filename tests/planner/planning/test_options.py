@@ -16,11 +16,6 @@ from planar_planner.errors import OptionsError
 from planar_planner.planning.options import Options
 
 
-def test_defaults_are_those_of_the_core() -> None:
-    names = {name for name in dir(Limits) if not name.startswith("_")}
-    assert dataclasses.asdict(Options()) == {name: getattr(Limits(), name) for name in names}
-
-
 def test_the_command_line_has_the_same_defaults() -> None:
     for command in ("solve", "check"):
         assert options_of(make_parser().parse_args([command, "gear"])) == Options()
@@ -33,6 +28,11 @@ def test_the_help_states_the_memory_that_is_the_default(capsys: pytest.CaptureFi
     assert stated is not None
     arguments = make_parser().parse_args(["solve", "gear", "--max-memory", stated[1]])
     assert options_of(arguments) == Options()
+
+
+def test_defaults_are_those_of_the_core() -> None:
+    names = {name for name in dir(Limits) if not name.startswith("_")}
+    assert dataclasses.asdict(Options()) == {name: getattr(Limits(), name) for name in names}
 
 
 def test_defaults_are_finite() -> None:

@@ -13,6 +13,7 @@ Its files are the parts of the proof:
 
 The checker shares with the planner what reads a scene: the packages `planar_planner.scene` and
 `planar_planner.problem` with the fingerprint, `planar_planner.load` with the importers behind it,
-`planar_planner.errors`, and the list of keys in `planar_planner.certificate_keys`. It imports
-nothing of `planar_planner.planning` and no native code. A test over imports holds that.
+and small modules that these need; and the list of keys in `planar_planner.certificate_keys`. It
+imports nothing of `planar_planner.planning` and no native code. tests/planner/checker/
+test_verify_independence.py has the whole list, and holds it.
 """

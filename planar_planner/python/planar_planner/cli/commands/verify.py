@@ -25,7 +25,7 @@ def add(commands: Any) -> None:
     verify = add_command(
         commands,
         "verify",
-        "check a certificate in exact arithmetic, with code that the planner does not use",
+        "check a certificate in exact arithmetic, without the planner",
         examples=(
             "solve gear-jammed --certificate jammed.json.gz",
             "verify gear-jammed jammed.json.gz",

@@ -1,0 +1,17 @@
+// Heuristic constants of this folder, with how each was found. They steer work; whatever their
+// values, every answer holds.
+#pragma once
+
+#include <cstddef>
+
+namespace planner {
+
+// Where a guess at a goal lies between the nearest point of a part of the region and the part's
+// middle, and how much of half an interval of angles it keeps to: on the very edge of neither.
+// Chosen, not tuned; any value in (0, 1) will do.
+inline constexpr double kInwards = 0.125;
+
+// The guesses that are handed out at once. Chosen, not tuned.
+inline constexpr std::size_t kMostGuesses = 8;
+
+}  // namespace planner
