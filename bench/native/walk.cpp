@@ -1,14 +1,14 @@
 #include "walk.hpp"
 
-#include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "planar_planner/native/cells/face.hpp"
 #include "planar_planner/native/cells/subdivision.hpp"
 #include "planar_planner/native/paths/segment.hpp"
 #include "planar_planner/native/search/query.hpp"
-#include "planar_planner/native/search/refinement.hpp"
+#include "planar_planner/native/search/search.hpp"
 
 namespace bench {
 
@@ -132,15 +132,18 @@ std::vector<Seen> walk_levels(World& world, const Query driver, const WalkLimits
 }
 
 std::vector<Seen> walk_search(World& world, const Task& task, const WalkLimits& limits) {
-  planner::Limits query_limits;
-  query_limits.timeout = std::numeric_limits<double>::infinity();
-  const planner::Listener nobody;
+  const planner::Limits query_limits;
   planner::SegmentTest segments(world.problem, world.labeller, world.statistics);
   Subdivision subdivision(world.space, world.labeller, world.statistics);
   planner::FaceTest faces(subdivision, world.labeller, world.statistics);
-  planner::Query query(task.start, task.goal, nullptr, query_limits, nobody);
-  planner::Refinement(world.problem, world.tree, subdivision, faces, segments, world.statistics,
-                      query)
+  planner::Query query(
+      task.start, task.goal, nullptr, query_limits, [] { return 0.0; },
+      [&](const planner::Usage& usage, const auto&) -> std::optional<planner::StopReason> {
+        if (usage.cells < query_limits.max_cells && usage.memory_bytes < query_limits.max_memory)
+          return std::nullopt;
+        return planner::StopReason::kMaxCells;
+      });
+  planner::Search(world.problem, world.tree, subdivision, faces, segments, world.statistics, query)
       .run();
   Seen root;
   const auto whole = std::make_shared<ConstraintList>();

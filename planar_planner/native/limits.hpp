@@ -3,6 +3,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+
+#include "outcome.hpp"
 
 namespace planner {
 
@@ -18,6 +21,12 @@ struct Limits {
   double contact_tolerance = 0.0;                      // user's length unit
 };
 
+// What a search takes up.
+struct Usage {
+  std::uint64_t cells = 0;
+  std::uint64_t memory_bytes = 0;
+};
+
 struct Progress {
   double elapsed = 0.0;  // seconds
   std::uint64_t cells = 0, free = 0, star = 0, full = 0, mixed = 0;
@@ -30,5 +39,10 @@ using Listener = std::function<bool(const Progress&)>;
 
 // Asked often, everywhere that work can take long; true: stop now.
 using Terminator = std::function<bool()>;
+
+// Asked before each step of a search: why it must stop now, if it must. Calls `progress`, which
+// knows no time, only if somebody listens.
+using LimitCheck = std::function<std::optional<StopReason>(
+    const Usage& usage, const std::function<Progress()>& progress)>;
 
 }  // namespace planner

@@ -22,19 +22,20 @@ enum class Verdict : std::uint8_t { kPath, kNoPath, kUndecided };
   X(kStart, START, "start")                        /* no path: the start is not free */  \
   X(kGoal, GOAL, "goal")                           /* no path: the goal is not free */
 
+// A limit has the name of the option that sets it.
 #define PLANNER_STOP_REASON(X)                                                        \
   X(kResolution, RESOLUTION, "resolution")                                            \
-  X(kCells, CELLS, "cells")                                                           \
-  X(kMemory, MEMORY, "memory")                                                        \
-  X(kTime, TIME, "time")                                                              \
+  X(kMaxCells, MAX_CELLS, "max_cells")                                                \
+  X(kMaxMemory, MAX_MEMORY, "max_memory")                                             \
+  X(kTimeout, TIMEOUT, "timeout")                                                     \
   X(kInterrupted, INTERRUPTED, "interrupted")     /* by the listener, or by Ctrl-C */ \
-  X(kOutOfMemory, OUT_OF_MEMORY, "out of memory") /* an allocation failed */          \
-  X(kStartTouchesObstacle, START_TOUCHES_OBSTACLE, "start touches obstacle")          \
-  X(kStartTouchesWorkspace, START_TOUCHES_WORKSPACE, "start touches workspace")       \
-  X(kGoalTouchesObstacle, GOAL_TOUCHES_OBSTACLE, "goal touches obstacle")             \
-  X(kGoalTouchesWorkspace, GOAL_TOUCHES_WORKSPACE, "goal touches workspace")          \
-  X(kMovedEnds, MOVED_ENDS, "moved ends")       /* no path, but between moved ends */ \
-  X(kLostChannel, LOST_CHANNEL, "lost channel") /* a defect of the search */
+  X(kOutOfMemory, OUT_OF_MEMORY, "out_of_memory") /* an allocation failed */          \
+  X(kStartTouchesObstacle, START_TOUCHES_OBSTACLE, "start_touches_obstacle")          \
+  X(kStartTouchesWorkspace, START_TOUCHES_WORKSPACE, "start_touches_workspace")       \
+  X(kGoalTouchesObstacle, GOAL_TOUCHES_OBSTACLE, "goal_touches_obstacle")             \
+  X(kGoalTouchesWorkspace, GOAL_TOUCHES_WORKSPACE, "goal_touches_workspace")          \
+  X(kMovedEnds, MOVED_ENDS, "moved_ends")       /* no path, but between moved ends */ \
+  X(kLostChannel, LOST_CHANNEL, "lost_channel") /* a defect of the search */
 
 #define PLANNER_ENUMERATOR(enumerator, name, word) enumerator,
 #define PLANNER_NAME(enumerator, name, word) Name<Enum>{Enum::enumerator, #name, word},

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -90,7 +89,7 @@ struct Seconds {
 
 struct Statistics {
 #define PLANNER_FIELD(type, name, adding, unit, meaning) type name{};
-  PLANNER_STATISTICS(PLANNER_FIELD)
+  PLANNER_STATISTICS(PLANNER_FIELD)  // NOLINT(readability-redundant-member-init)
 #undef PLANNER_FIELD
 
   [[nodiscard]] std::uint64_t axis_work() const {
@@ -99,22 +98,6 @@ struct Statistics {
   bool operator==(const Statistics&) const = default;
   // Takes up the statistics of a query that was asked on the way.
   Statistics& operator+=(const Statistics& other);
-};
-
-// Adds the time of its life to one of the clocks above. Clocks never steer the search.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& total) : total_(total), begin_(std::chrono::steady_clock::now()) {}
-  ~Stopwatch() { total_ += elapsed(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-  [[nodiscard]] double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
- private:
-  double& total_;
-  std::chrono::steady_clock::time_point begin_;
 };
 
 }  // namespace planner

@@ -99,7 +99,7 @@ std::string sentence(const planner::Answer& answer) {
     switch (answer.stop_reason.value()) {
       case planner::StopReason::kResolution:
         return "resolution reached";
-      case planner::StopReason::kCells:
+      case planner::StopReason::kMaxCells:
         return "cell limit reached";
       default:
         fail("an answer that depends on the machine");

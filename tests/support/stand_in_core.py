@@ -67,7 +67,7 @@ class FakeCore:
         path = np.array([start, goal]) if self.verdict == "path" else np.empty((0, 3))
         return {
             "verdict": self.verdict,
-            "stop_reason": _core.StopReason.CELLS if self.verdict == "undecided" else None,
+            "stop_reason": _core.StopReason.MAX_CELLS if self.verdict == "undecided" else None,
             "ends_moved": False,
             "path": path,
             "stats": STATS.replace(decided_by=DECIDED_BY[self.verdict]),

@@ -163,7 +163,7 @@ void add_disc(const planner::ScaledProblem& robot, const planner::ScaledProblem&
 }
 
 void add_end(const Evidence& e, NamedEvidence& out) {
-  out.goal_end = e.end == "goal";
+  out.goal_end = e.at_goal;
   out.out_of_bounds = e.out_of_bounds;
   if (!e.out_of_bounds) out.collision = collision_of(e, e.witness.obstacle, e.witness.robot);
 }

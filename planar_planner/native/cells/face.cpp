@@ -39,7 +39,6 @@ void FaceTest::forget(const CellId cell) {
 }
 
 Link FaceTest::test_face(const CellId a, const CellId b) {
-  const Stopwatch watch(statistics_.seconds.faces);
   ++statistics_.faces_tested;
   const Cell& first = subdivision_.cell(a);
   const Cell& second = subdivision_.cell(b);

@@ -256,11 +256,8 @@ CellId Subdivision::split(const CellId id) {
   else
     (place % 2 == 0 ? branches_[place / 2].lower : branches_[place / 2].upper) = branch;
 
-  {
-    const Stopwatch watch(statistics_.seconds.labelling);
-    cells_[id] = make_cell(halves.lower, view(parent_list_));
-    cells_.push_back(make_cell(halves.upper, view(parent_list_)));
-  }
+  cells_[id] = make_cell(halves.lower, view(parent_list_));
+  cells_.push_back(make_cell(halves.upper, view(parent_list_)));
   cells_[id].branch = 2 * branch;
   cells_[upper].branch = 2 * branch + 1;
   adopt_neighbours(id, upper, halves, axis, old);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "barrier.hpp"
@@ -23,7 +22,7 @@ enum class ClaimKind : std::uint8_t {
   kPath,        // waypoints, segments
   kSeparation,  // barrier
   kDisc,        // barrier of a disc inside the robot
-  kEnd,         // `end` is not free: witness, or out of the reference bounds
+  kEnd,         // an end is not free: witness, or out of the reference bounds
 };
 
 struct Evidence {
@@ -31,7 +30,7 @@ struct Evidence {
   std::vector<Configuration> waypoints;  // kPath: without legs into contact
   std::vector<std::vector<ProvenInterval>> segments;
   Barrier barrier;
-  std::string end;  // kEnd: "start" or "goal"
+  bool at_goal = false;  // kEnd: the goal is not free; else the start
   bool out_of_bounds = false;
   Witness witness{};
   std::vector<PieceName> robot_names, obstacle_names;  // of the pieces above

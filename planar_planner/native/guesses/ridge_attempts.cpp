@@ -16,7 +16,6 @@ std::vector<Configuration> RidgeAttempts::attempt(const std::vector<CellId>& cha
                                                   const Configuration& start,
                                                   const Configuration& goal,
                                                   const Terminator& stop) {
-  const Stopwatch watch(statistics_.seconds.path);
   ++statistics_.ridge_tries;
   const std::uint64_t before = statistics_.axis_work();
   std::vector<Configuration> path =

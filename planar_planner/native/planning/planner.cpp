@@ -4,11 +4,12 @@
 #include <array>
 #include <utility>
 
+#include "limit_watch.hpp"
 #include "planar_planner/native/cells/census.hpp"
 #include "planar_planner/native/guesses/goal_guesses.hpp"
 #include "planar_planner/native/guesses/rrt_connect.hpp"
 #include "planar_planner/native/search/goal_cells.hpp"
-#include "planar_planner/native/search/refinement.hpp"
+#include "planar_planner/native/search/search.hpp"
 #include "planar_planner/native/world/disc.hpp"
 
 namespace planner {
@@ -56,7 +57,8 @@ StopReason touches(const bool at_start, const bool workspace) {
 }  // namespace
 
 Planner::Planner(Problem given, const Ablation& ablation) {
-  const Stopwatch watch(preprocessing_);
+  const Clock clock = steady_seconds;
+  const Stopwatch watch(clock, preprocessing_);
   problem_ = make_scaled_problem(std::move(given), ablation);
   tree_ = std::make_unique<ObstacleTree>(all_obstacles(problem_), problem_.frame, problem_.walls,
                                          ablation.partition);
@@ -68,12 +70,16 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
                       const Listener& listener) {
   std::optional<GoalRegion> region;
   if (const auto* const set = std::get_if<GoalSet>(&goal)) region.emplace(problem_, *set);
-  Query query(start, goal, region ? &*region : nullptr, limits, listener);
+  LimitWatch watch(limits, listener);
+  Query query(
+      start, goal, region ? &*region : nullptr, limits, [&] { return watch.elapsed(); },
+      [&](const Usage& usage, const auto& progress) { return watch.check(usage, progress); });
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   CollisionHint hint(problem_, *tree_);
   const bool cheap = problem_.ablation.cheap;
-  if (!ends_not_free(query) && !(cheap && (cheap_move(query, hint) || disc_answer(query, goal))) &&
+  if (!ends_not_free(query) &&
+      !(cheap && (cheap_move(query, hint) || disc_answer(query, goal, listener))) &&
       !(problem_.ablation.probe && probe(query, hint)))
     subdivide(query);
   confirm_absence(query, start, goal);
@@ -110,8 +116,8 @@ bool Planner::ends_not_free(Query& query) {
 }
 
 bool Planner::cheap_move(Query& query, CollisionHint& hint) {
-  const Stopwatch watch(statistics_.seconds.path);
-  const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
+  const Stopwatch watch(query.clock, statistics_.seconds.path);
+  const Terminator stop = [&] { return query.clock() >= query.limits.timeout; };
   if (query.region == nullptr) return cheap_move_to(query, hint, query.goal, stop);
   const std::vector<Configuration> goals =
       near_goals(*query.region, *segments_, problem_, query.start);
@@ -144,7 +150,7 @@ bool Planner::conclude_path(Query& query, std::vector<Configuration> path, const
 
 // Two random trees, of whose path only its certificate is believed.
 bool Planner::probe(Query& query, CollisionHint& hint) {
-  const Terminator stop = [&] { return query.elapsed() >= query.limits.timeout; };
+  const Terminator stop = [&] { return query.clock() >= query.limits.timeout; };
   const std::uint64_t calls_before = hint.calls();
   const std::vector<Configuration> goals =
       query.region == nullptr ? std::vector{query.goal}
@@ -160,12 +166,12 @@ bool Planner::probe(Query& query, CollisionHint& hint) {
   for (int paths = 0; paths < kProbePaths; ++paths, spacing *= kFinerSpacing) {
     std::vector<Configuration> path;
     {
-      const Stopwatch watch(statistics_.seconds.probe);
+      const Stopwatch watch(query.clock, statistics_.seconds.probe);
       path = trees.find(spacing, stop);
       statistics_.probe_checks = by_discs + hint.calls() - calls_before;
     }
     if (path.empty()) return false;
-    const Stopwatch watch(statistics_.seconds.path);
+    const Stopwatch watch(query.clock, statistics_.seconds.path);
     const auto bad = certify_shortened(problem_, *tree_, *segments_, hint, path, stop);
     if (!bad) return conclude_path(query, std::move(path), DecidedBy::kFirstTry);
     trees.reject(*bad);
@@ -173,7 +179,7 @@ bool Planner::probe(Query& query, CollisionHint& hint) {
   return false;
 }
 
-bool Planner::disc_answer(Query& query, const Goal& goal) {
+bool Planner::disc_answer(Query& query, const Goal& goal, const Listener& listener) {
   if (!std::exchange(disc_prepared_, true)) {
     if (auto discs = disc_problems(problem_)) {
       disc_round_ = std::make_unique<Planner>(std::move(discs->round), problem_.ablation);
@@ -181,12 +187,12 @@ bool Planner::disc_answer(Query& query, const Goal& goal) {
     }
   }
   if (!disc_round_) return false;
-  if (ask_disc(*disc_inside_, query, goal).verdict == Verdict::kNoPath) {
+  if (ask_disc(*disc_inside_, query, goal, listener).verdict == Verdict::kNoPath) {
     query.decide(Verdict::kNoPath, DecidedBy::kDisc);
     return true;
   }
   if (query.stopped_by) return true;
-  Answer round = ask_disc(*disc_round_, query, goal);
+  Answer round = ask_disc(*disc_round_, query, goal, listener);
   if (round.verdict != Verdict::kPath) return query.stopped_by.has_value();
   std::vector<Configuration>& path = round.path.waypoints;
   for (Configuration& q : path) q.theta = query.start.theta;
@@ -200,17 +206,17 @@ bool Planner::disc_answer(Query& query, const Goal& goal) {
 }
 
 // Its work counts as the query's; its interruption ends the query. A disc has no angle to mind.
-Answer Planner::ask_disc(Planner& disc, Query& query, const Goal& goal) {
+Answer Planner::ask_disc(Planner& disc, Query& query, const Goal& goal, const Listener& listener) {
   Limits limits = query.limits;
   limits.max_cells = std::min(limits.max_cells, kDiscCells);
-  limits.timeout -= query.elapsed();
+  limits.timeout -= query.clock();
   Goal place = Configuration{query.goal.x, query.goal.y, 0.0};
   if (const auto* const set = std::get_if<GoalSet>(&goal))
     place = GoalSet{set->polygons, std::nullopt};
-  Answer answer = disc.solve({query.start.x, query.start.y, 0.0}, place, limits, query.listener);
+  Answer answer = disc.solve({query.start.x, query.start.y, 0.0}, place, limits, listener);
   statistics_ += answer.statistics;
   const bool tried_enough =
-      limits.max_cells < query.limits.max_cells && answer.stopped_by == StopReason::kCells;
+      limits.max_cells < query.limits.max_cells && answer.stopped_by == StopReason::kMaxCells;
   if (answer.stopped_by && !tried_enough) {
     query.leave_undecided(*answer.stopped_by);
     query.stopped_by = answer.stopped_by;
@@ -228,7 +234,7 @@ void Planner::prepare_subdivision(const Query& query) {
 
 void Planner::subdivide(Query& query) {
   prepare_subdivision(query);
-  Refinement(problem_, *tree_, *subdivision_, *faces_, *segments_, statistics_, query).run();
+  Search(problem_, *tree_, *subdivision_, *faces_, *segments_, statistics_, query).run();
 }
 
 // Every leaf that the exact configuration can lie in.
@@ -274,7 +280,7 @@ void Planner::settle_lifted_ends(Query& query, const Configuration& start, const
 
 void Planner::complete_answer(Query& query) {
   Answer& answer = query.answer;
-  statistics_.seconds.total = query.elapsed() + statistics_.seconds.preprocessing;
+  statistics_.seconds.total = query.clock() + statistics_.seconds.preprocessing;
   statistics_.pairs_total +=
       (tree_->piece_count() - tree_->wall_count() + tree_->untouched_polygons()) *
       problem_.robot.body_pieces();
@@ -313,10 +319,9 @@ Evidence Planner::evidence() {
                                leaves_of_goal(last_.goal));
     if (!out.barrier.start_side.empty()) out.kind = ClaimKind::kSeparation;
   } else if (last_.verdict == Verdict::kNoPath) {
-    const Placement p = placement(
-        last_.decided_by == DecidedBy::kStart ? last_.start : std::get<Configuration>(last_.goal));
     out.kind = ClaimKind::kEnd;
-    out.end = word(last_.decided_by.value());
+    out.at_goal = last_.decided_by == DecidedBy::kGoal;
+    const Placement p = placement(out.at_goal ? std::get<Configuration>(last_.goal) : last_.start);
     out.out_of_bounds = p.state == PlacementState::kOutside;
     out.witness = p.witness;
   }

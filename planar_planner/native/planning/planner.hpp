@@ -56,8 +56,8 @@ class Planner {
   bool cheap_move_to(Query& query, CollisionHint& hint, const Configuration& goal,
                      const Terminator& stop);
   bool probe(Query& query, CollisionHint& hint);
-  bool disc_answer(Query& query, const Goal& goal);
-  Answer ask_disc(Planner& disc, Query& query, const Goal& goal);
+  bool disc_answer(Query& query, const Goal& goal, const Listener& listener);
+  Answer ask_disc(Planner& disc, Query& query, const Goal& goal, const Listener& listener);
   bool conclude_path(Query& query, std::vector<Configuration> path, DecidedBy by);
   void subdivide(Query& query);
   void prepare_subdivision(const Query& query);

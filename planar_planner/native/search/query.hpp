@@ -1,15 +1,16 @@
 // One query while it is being answered: its ends, limits and answer so far.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "planar_planner/native/configurations/goal_region.hpp"
 #include "planar_planner/native/limits.hpp"
 #include "planar_planner/native/outcome.hpp"
 #include "planar_planner/native/paths/path.hpp"
 #include "planar_planner/native/statistics.hpp"
+#include "planar_planner/native/stopwatch.hpp"
 #include "planar_planner/native/world/problem.hpp"
 
 namespace planner {
@@ -28,22 +29,18 @@ struct Query {
   Configuration goal;                  // with a region: the one that the search tries for now
   const GoalRegion* region = nullptr;  // any of its configurations is a goal
   const Limits& limits;
-  const Listener& listener;
+  Clock clock;       // for stopwatches
+  LimitCheck check;  // whether a limit is reached, or the listener has had enough
   Answer answer;
-  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
-  double last_call = 0.0;                // of the listener, seconds after `begin`
   std::optional<StopReason> stopped_by;  // a limit that was reached, or the listener
   bool lifted = false;                   // an end in contact was moved off
 
-  Query(const Configuration& s, const Goal& g, const GoalRegion* r, const Limits& l,
-        const Listener& ear)
-      : start(s), region(r), limits(l), listener(ear) {
+  Query(const Configuration& s, const Goal& g, const GoalRegion* r, const Limits& l, Clock seconds,
+        LimitCheck stop)
+      : start(s), region(r), limits(l), clock(std::move(seconds)), check(std::move(stop)) {
     if (r == nullptr) goal = std::get<Configuration>(g);
   }
 
-  [[nodiscard]] double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  }
   void decide(const Verdict verdict, const DecidedBy by) {
     answer.verdict = verdict;
     answer.stop_reason.reset();

@@ -31,17 +31,17 @@ class StopReason(enum.StrEnum):
     """Why a query stayed undecided."""
 
     RESOLUTION = "resolution"
-    CELLS = "cells"
-    MEMORY = "memory"
-    TIME = "time"
+    MAX_CELLS = "max_cells"
+    MAX_MEMORY = "max_memory"
+    TIMEOUT = "timeout"
     INTERRUPTED = "interrupted"
-    OUT_OF_MEMORY = "out of memory"
-    START_TOUCHES_OBSTACLE = "start touches obstacle"
-    START_TOUCHES_WORKSPACE = "start touches workspace"
-    GOAL_TOUCHES_OBSTACLE = "goal touches obstacle"
-    GOAL_TOUCHES_WORKSPACE = "goal touches workspace"
-    MOVED_ENDS = "moved ends"
-    LOST_CHANNEL = "lost channel"
+    OUT_OF_MEMORY = "out_of_memory"
+    START_TOUCHES_OBSTACLE = "start_touches_obstacle"
+    START_TOUCHES_WORKSPACE = "start_touches_workspace"
+    GOAL_TOUCHES_OBSTACLE = "goal_touches_obstacle"
+    GOAL_TOUCHES_WORKSPACE = "goal_touches_workspace"
+    MOVED_ENDS = "moved_ends"
+    LOST_CHANNEL = "lost_channel"
     def __str__(self) -> str: ...
 
 class Limits:

@@ -27,7 +27,7 @@ def test_every_reason_that_a_user_can_help_has_a_hint() -> None:
 def test_sentences() -> None:
     assert sentence("path", DecidedBy.CHANNEL) == "certified through a channel of cells"
     assert sentence("no_path", DecidedBy.DISC) == "a disc inside the robot has no path"
-    assert sentence("undecided", None, StopReason.CELLS) == "cell limit reached"
+    assert sentence("undecided", None, StopReason.MAX_CELLS) == "cell limit reached"
     assert sentence("path", DecidedBy.RIDGE, ends_moved=True).endswith(MOVED)
 
 

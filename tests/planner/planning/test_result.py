@@ -20,7 +20,7 @@ def answer(verdict: str, **stats: Any) -> dict[str, Any]:
     decided_by = {"path": DecidedBy.CHANNEL, "no_path": DecidedBy.SEPARATION}.get(verdict)
     return {
         "verdict": verdict,
-        "stop_reason": StopReason.CELLS if verdict == "undecided" else None,
+        "stop_reason": StopReason.MAX_CELLS if verdict == "undecided" else None,
         "ends_moved": False,
         "path": path,
         "stats": Statistics(decided_by=decided_by, **stats),
@@ -57,7 +57,7 @@ def test_json_holds_plain_finite_values_only() -> None:
     stats = {"least_clearance": math.inf, "path_length": math.nan, "cells_by_level": [1, 2]}
     content = make_result("s", answer("undecided", **stats)).to_json()
     plain = json.loads(json.dumps(content, allow_nan=False))
-    assert plain["stop_reason"] == "cells"
+    assert plain["stop_reason"] == "max_cells"
     assert (plain["stats"]["least_clearance"], plain["stats"]["path_length"]) == (None, None)
     assert plain["stats"]["cells_by_level"] == [1, 2]
     assert plain["stats"]["seconds"]["total"] == 0.0

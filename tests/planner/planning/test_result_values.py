@@ -50,7 +50,7 @@ def answer(verdict: str, scene: str = "s", path: Any = (), **stats: Any) -> Resu
     decided_by = {"path": DecidedBy.CHANNEL, "no_path": DecidedBy.SEPARATION}.get(verdict)
     found = {
         "verdict": verdict,
-        "stop_reason": StopReason.TIME if verdict == "undecided" else None,
+        "stop_reason": StopReason.TIMEOUT if verdict == "undecided" else None,
         "ends_moved": False,
         "path": path,
         "stats": Statistics(decided_by=decided_by, **stats),

@@ -14,9 +14,9 @@ _ALLOW_CONTACT = "--contact-tolerance LENGTH allows it"
 
 HINTS: Mapping[StopReason, str] = {
     StopReason.RESOLUTION: "a smaller --resolution may decide it",
-    StopReason.CELLS: "a larger --max-cells may decide it",
-    StopReason.MEMORY: "a larger --max-memory may decide it",
-    StopReason.TIME: "a longer --timeout may decide it",
+    StopReason.MAX_CELLS: "a larger --max-cells may decide it",
+    StopReason.MAX_MEMORY: "a larger --max-memory may decide it",
+    StopReason.TIMEOUT: "a longer --timeout may decide it",
     StopReason.OUT_OF_MEMORY: "a --max-memory below what there is stops in time, and counts",
     StopReason.START_TOUCHES_OBSTACLE: _ALLOW_CONTACT,
     StopReason.START_TOUCHES_WORKSPACE: _ALLOW_CONTACT,

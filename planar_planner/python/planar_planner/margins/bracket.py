@@ -176,7 +176,7 @@ class Search:
                 return
         left = self._deadline - self._clock()
         if left <= 0.0:
-            bracket.reason = STOPS[StopReason.TIME]
+            bracket.reason = STOPS[StopReason.TIMEOUT]
             return
         limits = replace(self._options, timeout=max(SHARE * left, 1e-3), contact_tolerance=0.0)
         answer = ask(core, replace(self._problem, robot=body.polygons), limits, self._listener)

@@ -31,9 +31,9 @@ _TOUCHES = "the {} touches {}: allow it to be moved off by a contact tolerance"
 
 STOPS: Mapping[StopReason, str] = {
     StopReason.RESOLUTION: "resolution reached",
-    StopReason.CELLS: "cell limit reached",
-    StopReason.MEMORY: "memory limit reached",
-    StopReason.TIME: "time limit reached",
+    StopReason.MAX_CELLS: "cell limit reached",
+    StopReason.MAX_MEMORY: "memory limit reached",
+    StopReason.TIMEOUT: "time limit reached",
     StopReason.INTERRUPTED: "interrupted",
     StopReason.OUT_OF_MEMORY: "out of memory",
     StopReason.START_TOUCHES_OBSTACLE: _TOUCHES.format("start", "an obstacle"),

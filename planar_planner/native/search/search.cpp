@@ -1,4 +1,4 @@
-#include "refinement.hpp"
+#include "search.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -8,9 +8,6 @@ namespace planner {
 
 namespace {
 
-// The listener is called at most this often.
-constexpr double kListenerPeriod = 0.1;  // seconds
-
 // A round splits the channel's MIXED cells down to this fraction of the largest one's size.
 // Smaller: more cells in dead ends; larger: more rounds. Measured over the shipped families; any
 // value in (0, 1] is sound.
@@ -18,8 +15,8 @@ constexpr float kBatch = 0.7F;
 
 }  // namespace
 
-Refinement::Refinement(const ScaledProblem& problem, ObstacleTree& tree, Subdivision& subdivision,
-                       FaceTest& faces, SegmentTest& segments, Statistics& statistics, Query& query)
+Search::Search(const ScaledProblem& problem, ObstacleTree& tree, Subdivision& subdivision,
+               FaceTest& faces, SegmentTest& segments, Statistics& statistics, Query& query)
     : problem_(problem),
       tree_(tree),
       subdivision_(subdivision),
@@ -29,28 +26,28 @@ Refinement::Refinement(const ScaledProblem& problem, ObstacleTree& tree, Subdivi
       query_(query),
       start_point_(dyadic_point(problem, query.start)),
       goal_point_(dyadic_point(problem, query.goal)),
-      search_(subdivision, statistics),
+      channels_(subdivision, statistics),
       ridge_(problem, tree, subdivision, segments, statistics) {
   if (query.region != nullptr) goals_.emplace(*query.region, subdivision);
 }
 
-void Refinement::begin_search() {
+void Search::begin_search() {
   subdivision_.clear_exhausted();
   const CellId start = subdivision_.locate(start_point_);
   if (goals_)
-    search_.reset(start, goals_->wanted());
+    channels_.reset(start, goals_->wanted());
   else
-    search_.reset(start, subdivision_.locate(goal_point_));
+    channels_.reset(start, subdivision_.locate(goal_point_));
 }
 
 // Can the start's leaf reach one that may hold a goal? By a flood fill.
-bool Refinement::goal_connected() const {
-  const CellId start = search_.start();
-  if (!goals_) return subdivision_.connected(start, search_.goal());
+bool Search::goal_connected() const {
+  const CellId start = channels_.start();
+  if (!goals_) return subdivision_.connected(start, channels_.goal());
   return subdivision_.connected({&start, 1}, goals_->all());
 }
 
-void Refinement::run() {
+void Search::run() {
   begin_search();
   std::vector<CellId> channel;
   while (!stop()) {
@@ -58,27 +55,27 @@ void Refinement::run() {
     if (goals_ && goals_->due()) take_up_goals();
     bool connected = false;
     {
-      const Stopwatch watch(statistics_.seconds.search);
-      if (!problem_.ablation.incremental) search_.rebuild();
-      connected = search_.find(channel);
+      const Stopwatch watch(query_.clock, statistics_.seconds.search);
+      if (!problem_.ablation.incremental) channels_.rebuild();
+      connected = channels_.find(channel);
     }
     if (!connected && !goal_connected())
       return query_.decide(Verdict::kNoPath, DecidedBy::kSeparation);
     if (!connected && take_up_goals()) continue;
-    if (!connected && goals_ && goals_->only_given_up(search_.start()))
+    if (!connected && goals_ && goals_->only_given_up(channels_.start()))
       return query_.leave_undecided(StopReason::kResolution);
     if (!connected) {
       // Never seen, and counted, so that the tests would: the proof does not lean on mended trees.
       ++statistics_.search_rebuilds;
-      search_.rebuild();
-      if (!search_.find(channel)) return query_.leave_undecided(StopReason::kLostChannel);
+      channels_.rebuild();
+      if (!channels_.find(channel)) return query_.leave_undecided(StopReason::kLostChannel);
     }
-    if (search_.passes_barrier(channel)) {
+    if (channels_.passes_barrier(channel)) {
       // Mended distances are not exact: only a search from scratch can say that every channel does.
-      search_.rebuild();
-      search_.find(channel);
-      if (search_.passes_barrier(channel) && take_up_goals()) continue;
-      if (search_.passes_barrier(channel)) return query_.leave_undecided(StopReason::kResolution);
+      channels_.rebuild();
+      channels_.find(channel);
+      if (channels_.passes_barrier(channel) && take_up_goals()) continue;
+      if (channels_.passes_barrier(channel)) return query_.leave_undecided(StopReason::kResolution);
     }
     statistics_.channel_length = channel.size();
     if (try_ridge(channel)) return;
@@ -89,13 +86,13 @@ void Refinement::run() {
   }
 }
 
-bool Refinement::solid(const std::vector<CellId>& channel) const {
+bool Search::solid(const std::vector<CellId>& channel) const {
   return std::all_of(channel.begin(), channel.end(),
                      [&](const CellId id) { return subdivision_.cell(id).solid(); });
 }
 
 // Level by level there is no channel: every leaf is as good as any other.
-std::vector<CellId> Refinement::all_cells() const {
+std::vector<CellId> Search::all_cells() const {
   std::vector<CellId> all(subdivision_.size());
   std::iota(all.begin(), all.end(), CellId{0});
   std::erase_if(all, [&](const CellId id) { return subdivision_.cell(id).exhausted; });
@@ -103,7 +100,7 @@ std::vector<CellId> Refinement::all_cells() const {
 }
 
 // Splits the largest MIXED cells among these. False if there are none.
-bool Refinement::split_mixed(const std::vector<CellId>& channel) {
+bool Search::split_mixed(const std::vector<CellId>& channel) {
   float largest = 0.0F;
   for (const CellId id : channel)
     if (subdivision_.cell(id).label == Label::kMixed)
@@ -121,25 +118,30 @@ bool Refinement::split_mixed(const std::vector<CellId>& channel) {
   return true;
 }
 
-void Refinement::split(const CellId cell) {
+void Search::split(const CellId cell) {
   {
-    const Stopwatch watch(statistics_.seconds.search);
-    search_.before_split(cell);
+    const Stopwatch watch(query_.clock, statistics_.seconds.search);
+    channels_.before_split(cell);
   }
   faces_.forget(cell);
-  const CellId upper = subdivision_.split(cell);
-  const Stopwatch watch(statistics_.seconds.search);
+  const CellId upper = halve(cell);
+  const Stopwatch watch(query_.clock, statistics_.seconds.search);
   const auto moved = [&](const CellId end, const std::array<std::uint64_t, 3>& point) {
     return end == cell ? subdivision_.locate(point) : end;
   };
   if (goals_) goals_->after_split(cell, upper);
-  search_.after_split(cell, upper, moved(search_.start(), start_point_),
-                      goals_ ? kNoCell : moved(search_.goal(), goal_point_));
+  channels_.after_split(cell, upper, moved(channels_.start(), start_point_),
+                        goals_ ? kNoCell : moved(channels_.goal(), goal_point_));
 }
 
-void Refinement::exhaust(const CellId cell) {
+CellId Search::halve(const CellId cell) {
+  const Stopwatch watch(query_.clock, statistics_.seconds.labelling);
+  return subdivision_.split(cell);
+}
+
+void Search::exhaust(const CellId cell) {
   subdivision_.mark_exhausted(cell);
-  search_.on_exhausted(cell);
+  channels_.on_exhausted(cell);
 }
 
 // Shall all links of the next channel be tested, or only those up to the first that fails? Along a
@@ -148,26 +150,29 @@ void Refinement::exhaust(const CellId cell) {
 // costs far more than for one. So all are tested whenever testing single ones has cost the search
 // as many steps as testing all did the last time. Steps of the search only: going along the channel
 // is not counted, which tells on channels of 10^5 cells (docs/benchmarks.md).
-bool Refinement::time_for_all_links() {
+bool Search::time_for_all_links() {
   const std::uint64_t steps = statistics_.search_expansions;
   const std::uint64_t since = steps - std::exchange(link_steps_.before, steps);
-  if (link_steps_.tested_all)
-    link_steps_.after_all = since, link_steps_.after_single = 0;
-  else
-    link_steps_.after_single += since;
+  if (link_steps_.tested_all) link_steps_.after_all = since;
+  link_steps_.after_single = link_steps_.tested_all ? 0 : link_steps_.after_single + since;
   link_steps_.tested_all = link_steps_.after_single >= link_steps_.after_all;
   return link_steps_.tested_all;
 }
 
+Link Search::test_face(const CellId a, const CellId b) {
+  const Stopwatch watch(query_.clock, statistics_.seconds.faces);
+  return faces_.test(a, b);
+}
+
 // Proves the links of a solid channel. False if some failed, or a limit struck: the graph has
 // changed.
-bool Refinement::link(const std::vector<CellId>& channel) {
+bool Search::link(const std::vector<CellId>& channel) {
   connectors_.clear();
   const bool all = time_for_all_links();
   std::vector<std::pair<CellId, CellId>> blocked, doubtful;
   for (std::size_t i = 0; i + 1 < channel.size(); ++i) {
     if (stop()) return false;
-    const Link link = faces_.test(channel[i], channel[i + 1]);
+    const Link link = test_face(channel[i], channel[i + 1]);
     if (link.state == LinkState::kOpen) {
       connectors_.push_back(link.connector);
       continue;
@@ -178,14 +183,14 @@ bool Refinement::link(const std::vector<CellId>& channel) {
   }
   for (const auto& [a, b] : blocked) {
     subdivision_.disconnect(a, b);
-    search_.on_disconnected(a, b);
+    channels_.on_disconnected(a, b);
   }
   resolve_doubts(doubtful);
   return blocked.empty() && doubtful.empty();
 }
 
 // In the order of the channel; a link to a cell that has just been split is no more what it was.
-void Refinement::resolve_doubts(const std::vector<std::pair<CellId, CellId>>& links) {
+void Search::resolve_doubts(const std::vector<std::pair<CellId, CellId>>& links) {
   CellId last_split = kNoCell;
   for (const auto& [a, b] : links)
     if (a != last_split) last_split = resolve_doubt(a, b);
@@ -193,19 +198,19 @@ void Refinement::resolve_doubts(const std::vector<std::pair<CellId, CellId>>& li
 
 // A face that stays mixed: split the larger STAR neighbour, the cell returned; at the limit the
 // link is a barrier.
-CellId Refinement::resolve_doubt(const CellId a, const CellId b) {
+CellId Search::resolve_doubt(const CellId a, const CellId b) {
   const bool a_larger = subdivision_.cell(a).size >= subdivision_.cell(b).size;
   for (const CellId cell : {a_larger ? a : b, a_larger ? b : a}) {
     if (!subdivision_.divisible(cell, query_.limits.resolution)) continue;
     split(cell);
     return cell;
   }
-  search_.on_doubtful(a, b);
+  channels_.on_doubtful(a, b);
   return kNoCell;
 }
 
 // A free goal in the channel's last cell. True without a region.
-bool Refinement::pick_goal(const CellId cell) {
+bool Search::pick_goal(const CellId cell) {
   if (!goals_) return true;
   for (const Configuration& q :
        goals_->region().inside(subdivision_.space(), subdivision_.cell(cell).box)) {
@@ -217,31 +222,31 @@ bool Refinement::pick_goal(const CellId cell) {
 }
 
 // The halves of a solid cell may tell whether it holds a free goal.
-void Refinement::lose_goal(GoalCells& goals, const CellId cell) {
+void Search::lose_goal(GoalCells& goals, const CellId cell) {
   if (subdivision_.divisible(cell, query_.limits.resolution)) {
     split(cell);
   } else {
     goals.give_up(cell);
-    search_.on_goal_lost(cell);
+    channels_.on_goal_lost(cell);
   }
-  if (goals.disappointed()) search_.rebuild();
+  if (goals.disappointed()) channels_.rebuild();
 }
 
 // True if there are more goals to search for now.
-bool Refinement::take_up_goals() {
+bool Search::take_up_goals() {
   if (!goals_ || !goals_->take_up()) return false;
-  search_.rebuild();
+  channels_.rebuild();
   return true;
 }
 
 // Certifies the channel's path. False if it has to be refined first.
-bool Refinement::finish(const std::vector<CellId>& channel) {
+bool Search::finish(const std::vector<CellId>& channel) {
   if (GoalCells* const goals = goals_ ? &*goals_ : nullptr;
       goals != nullptr && !pick_goal(channel.back())) {
     lose_goal(*goals, channel.back());
     return false;
   }
-  const Stopwatch watch(statistics_.seconds.path);
+  const Stopwatch watch(query_.clock, statistics_.seconds.path);
   const Terminator terminator = [this] { return stop(); };
   std::vector<CellId> owners;
   std::vector<Configuration> path = assemble_path(problem_, subdivision_, channel, connectors_,
@@ -265,8 +270,9 @@ bool Refinement::finish(const std::vector<CellId>& channel) {
 
 // A path along the ridge of the clearance through a channel that is still MIXED. True if the query
 // is answered, or stopped.
-bool Refinement::try_ridge(const std::vector<CellId>& channel) {
+bool Search::try_ridge(const std::vector<CellId>& channel) {
   if (!ridge_.due() || !pick_goal(channel.back())) return false;
+  const Stopwatch watch(query_.clock, statistics_.seconds.path);
   std::vector<Configuration> path =
       ridge_.attempt(channel, query_.start, query_.goal, [this] { return stop(); });
   if (path.empty()) return query_.stopped_by.has_value();
@@ -274,37 +280,32 @@ bool Refinement::try_ridge(const std::vector<CellId>& channel) {
   return true;
 }
 
-void Refinement::conclude_path(std::vector<Configuration> path, const DecidedBy by) {
+void Search::conclude_path(std::vector<Configuration> path, const DecidedBy by) {
   query_.answer.path = report_path(std::move(path));
   query_.decide(Verdict::kPath, by);
 }
 
-bool Refinement::stop() {
+bool Search::stop() {
   if (query_.stopped_by) return true;
-  const Limits& limits = query_.limits;
-  const auto reached = [&](const StopReason reason) {
-    query_.leave_undecided(reason);
-    query_.stopped_by = reason;
-    return true;
-  };
   statistics_.constraint_bytes = subdivision_.constraint_bytes();
-  statistics_.memory_bytes = subdivision_.bytes() + search_.bytes();
-  if (subdivision_.size() >= limits.max_cells) return reached(StopReason::kCells);
-  if (statistics_.memory_bytes >= limits.max_memory) return reached(StopReason::kMemory);
-  const double elapsed = query_.elapsed();
-  if (elapsed >= limits.timeout) return reached(StopReason::kTime);
-  if (!query_.listener || elapsed - query_.last_call < kListenerPeriod) return false;
-  query_.last_call = elapsed;
+  statistics_.memory_bytes = subdivision_.bytes() + channels_.bytes();
+  query_.stopped_by =
+      query_.check({subdivision_.size(), statistics_.memory_bytes}, [this] { return progress(); });
+  if (query_.stopped_by) query_.leave_undecided(*query_.stopped_by);
+  return query_.stopped_by.has_value();
+}
+
+Progress Search::progress() const {
   const std::array<Count, 4> n = take_census(subdivision_).by_label.of;
-  const Progress progress{elapsed,
-                          subdivision_.size(),
-                          n[0],
-                          n[1],
-                          n[2],
-                          n[3],
-                          statistics_.channel_length,
-                          statistics_.search_rounds};
-  return query_.listener(progress) ? false : reached(StopReason::kInterrupted);
+  Progress out;
+  out.cells = subdivision_.size();
+  out.free = n[static_cast<std::size_t>(Label::kFree)];
+  out.star = n[static_cast<std::size_t>(Label::kStar)];
+  out.full = n[static_cast<std::size_t>(Label::kFull)];
+  out.mixed = n[static_cast<std::size_t>(Label::kMixed)];
+  out.channel_length = statistics_.channel_length;
+  out.rounds = statistics_.search_rounds;
+  return out;
 }
 
 }  // namespace planner

@@ -19,10 +19,10 @@
 namespace planner {
 
 // Borrows the planner's parts for one query; the subdivision and the known links stay behind.
-class Refinement {
+class Search {
  public:
-  Refinement(const ScaledProblem& problem, ObstacleTree& tree, Subdivision& subdivision,
-             FaceTest& faces, SegmentTest& segments, Statistics& statistics, Query& query);
+  Search(const ScaledProblem& problem, ObstacleTree& tree, Subdivision& subdivision,
+         FaceTest& faces, SegmentTest& segments, Statistics& statistics, Query& query);
 
   // Concludes the query.
   void run();
@@ -44,8 +44,11 @@ class Refinement {
   bool try_ridge(const std::vector<CellId>& channel);
   void conclude_path(std::vector<Configuration> path, DecidedBy by);
   void split(CellId cell);
+  CellId halve(CellId cell);
+  Link test_face(CellId a, CellId b);
   void exhaust(CellId cell);
   bool stop();
+  [[nodiscard]] Progress progress() const;
 
   const ScaledProblem& problem_;
   ObstacleTree& tree_;
@@ -56,7 +59,7 @@ class Refinement {
   Query& query_;
   std::array<std::uint64_t, 3> start_point_, goal_point_;  // no goal point with a region
   std::optional<GoalCells> goals_;                         // of the region, if there is one
-  ChannelSearch search_;
+  ChannelSearch channels_;
   std::vector<Connector> connectors_;
   // Steps of the search: before the last channel was linked, after all links of one were tested,
   // and since then after single ones.
