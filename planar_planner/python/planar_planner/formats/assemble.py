@@ -16,7 +16,7 @@ from planar_planner.errors import SceneError
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point, Shape
 from planar_planner.scene.fields import Box, Configuration
 from planar_planner.scene.model import Scene
-from planar_planner.tolerances import BOUNDS_SLACK
+from planar_planner.scene.plane import bounds_of_plane
 
 FAR = 2.0**20
 """Coordinates that are this many times larger than the scene's extent are moved to the origin. The
@@ -56,6 +56,7 @@ def scene_of_parts(parts: Parts, options: ImportOptions, notes: Notes, source: s
         goal=given.goal or (),
         workspace=given.workspace_box if workspace is None else workspace,
         bounds=given.reference_bounds,
+        bounds_are_chosen=given.bounds_are_chosen,
         rotation=given.rotation,
         name=given.name,
         description=" ".join(part if part.endswith(".") else f"{part}." for part in sentences),
@@ -162,21 +163,10 @@ def _moved(parts: Parts, dx: float, dy: float) -> Parts:
 
 
 def _bounded(parts: Parts, notes: Notes) -> Parts:
-    """Give the unbounded plane bounds for the reference point that change no verdict.
-
-    Let r be the robot's largest distance from its reference point, and B a box that contains all
-    obstacles, start and goal, grown by more than r on every side. If the reference point is outside
-    B or on its border, the robot meets no obstacle. The map of every point to the nearest one in B
-    is continuous and leaves points of B fixed, so a free path has a free image in B: the query has
-    the same answer with the bounds B as in the plane.
-    """
+    """Give the unbounded plane bounds for the reference point that change no verdict."""
     if (parts.workspace or parts.workspace_box or parts.reference_bounds) is not None:
         return parts
     radius = max(math.hypot(*p) for shape in parts.robot or [] for p in shape[0])
-    xmin, ymin, xmax, ymax = _bounds(list(_world_points(parts)))
-    size = max(map(abs, (xmin, ymin, xmax, ymax)))
-    margin = radius * BOUNDS_SLACK + size * 2.0**-50  # the second covers the sums' rounding
+    bounds = bounds_of_plane(_bounds(list(_world_points(parts))), radius)
     notes.say("the file states no bounds: reference_bounds are chosen so that no verdict changes")
-    return replace(
-        parts, reference_bounds=(xmin - margin, ymin - margin, xmax + margin, ymax + margin)
-    )
+    return replace(parts, reference_bounds=bounds, bounds_are_chosen=True)

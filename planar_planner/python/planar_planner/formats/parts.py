@@ -97,6 +97,8 @@ class Parts:
         The same as (xmin, ymin, xmax, ymax).
     reference_bounds : box, optional
         The reference point stays inside.
+    bounds_are_chosen : bool
+        Whether the reference bounds stand for the unbounded plane, because the file states none.
     start, goal : configuration, optional
         Configuration of the robot's frame in the world.
     rotation : bool
@@ -115,6 +117,7 @@ class Parts:
     workspace: Shape | None = None
     workspace_box: Box | None = None
     reference_bounds: Box | None = None
+    bounds_are_chosen: bool = False
     start: Configuration | None = None
     goal: Configuration | None = None
     rotation: bool = True
