@@ -186,7 +186,7 @@ nb::dict solve(planner::Planner& planner, const std::array<double, 3>& start,
   planner::Answer answer;
   {
     const nb::gil_scoped_release release;
-    answer = planner.solve(configuration(start), to, limits, ask);
+    answer = planner.solve_certified(configuration(start), to, limits, ask);
   }
   constexpr std::array<const char*, 3> verdicts{"path", "no_path", "undecided"};
   nb::dict out;

@@ -89,6 +89,25 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
   return std::move(query.answer);
 }
 
+Answer Planner::solve_certified(const Configuration& start, const Goal& goal, const Limits& limits,
+                                const Listener& listener) {
+  Answer answer = solve(start, goal, limits, listener);
+  if (answer.verdict != Verdict::kPath) return answer;
+  Evidence evidence;
+  evidence.waypoints = last_.waypoints;
+  if (collect_segments(problem_, *tree_, evidence)) return answer;
+  last_ = {Verdict::kUndecided, std::nullopt, start, goal, {}};
+  answer.verdict = Verdict::kUndecided;
+  answer.stop_reason = StopReason::kNoEvidence;
+  answer.ends_moved = false;
+  answer.path = {};
+  answer.statistics.decided_by.reset();
+  answer.statistics.path_length = 0.0;
+  answer.statistics.path_turning = 0.0;
+  answer.statistics.waypoints = 0;
+  return answer;
+}
+
 // A colliding end has no path; one in contact is moved off by the contact tolerance, if it allows.
 bool Planner::ends_not_free(Query& query) {
   for (Configuration* const end : {&query.start, &query.goal}) {

@@ -37,6 +37,10 @@ class Planner {
   Placement placement(const Configuration& q);
   Answer solve(const Configuration& start, const Goal& goal, const Limits& limits,
                const Listener& listener);
+  // The same, but a path whose evidence cannot be written is left undecided: its room is within the
+  // rounding of the evidence's bounds.
+  Answer solve_certified(const Configuration& start, const Goal& goal, const Limits& limits,
+                         const Listener& listener);
   PathCheck check_path(std::vector<Configuration> path);
   // The evidence of the last answer; computed now, since not every caller asks.
   Evidence evidence();
