@@ -82,6 +82,15 @@ def test_the_timeout_holds(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert main(["verify", "slot-jammed", str(file), "--timeout", "0"]) == 2
 
 
+def test_an_object_of_very_many_fields_is_refused_at_once(jammed: dict[str, Any]) -> None:
+    many = {f"k{i}": 0 for i in range(300_000)}
+    for wrong in ({**jammed, **many}, {**jammed, "domain": many}):
+        began = time.process_time()
+        with pytest.raises(CertificateError, match="fields"):
+            verify_certificate("slot-jammed", wrong)
+        assert time.process_time() - began < 1.0
+
+
 @pytest.mark.parametrize("where", ["version", "start_side", "scene", "full"])
 def test_integers_of_many_digits_are_refused(where: str, jammed: dict[str, Any]) -> None:
     for wrong in (10**5000, [10**5000], {"box": 10**5000}):

@@ -27,6 +27,8 @@ MEMORY_OF = {b"[": 110, b"{": 300, b",": 40, b":": 250}
 """Bytes that a list, an object, an item and a field take once they are read; measured on CPython
 3.11, where the empty list takes 56, the tuple made of it 48, a dict 232, a field's key and entry
 about 250."""
+MOST_FIELDS = 64
+"""Fields of an object whose fields have names; no form has half as many."""
 
 _GZIP_MAGIC = b"\x1f\x8b"
 _LONGEST_SHOWN = 60
@@ -150,6 +152,8 @@ def object_of(*variants: Fields, convert: Reader = same) -> Reader:
     def read(value: Any) -> Any:
         if not isinstance(value, dict):
             raise _unexpected("an object", value)
+        if len(value) > MOST_FIELDS:
+            raise CertificateError("", f"has {len(value)} fields")
         fields = min(variants, key=lambda variant: len(variant.keys() ^ value.keys()))
         for name in sorted(map(str, fields.keys() ^ value.keys())):
             problem = "is missing" if name in fields else "is an unknown field"
