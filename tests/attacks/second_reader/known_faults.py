@@ -71,11 +71,7 @@ OF: dict[str, set[str]] = {
         "jpeg",
         "gif",
     },
-    "mesh": {
-        "controller",
-        "bare_with_robot",
-        "bare_with_footprint",
-    },
+    "mesh": set(),
     "wkt": {
         "hole_outside",
         "hole_around_shell",

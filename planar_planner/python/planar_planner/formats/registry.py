@@ -29,16 +29,19 @@ class Format:
         Endings of file names, in lower case.
     reader, writer : str
         Module in this package with a function ``read`` or ``write``; empty if there is none.
+    robot_reader : str
+        Function of the reader for a file that is named as the robot.
     """
 
     title: str
     suffixes: tuple[str, ...]
     reader: str
     writer: str = ""
+    robot_reader: str = "read"
 
 
 OMPL_APP = Format("OMPL.app 2-D problem", (".cfg",), "ompl_app")
-COLLADA = Format("Collada mesh", (".dae",), "collada")
+COLLADA = Format("Collada mesh", (".dae",), "collada", robot_reader="read_robot")
 ROS_MAP = Format("ROS map", (".yaml", ".yml"), "ros_map")
 YAP = Format("Yap-style environment", (".txt", ".env"), "yap", "yap")
 YAP_ROBOT = Format("Yap-style robot", (".rob",), "yap")
@@ -95,9 +98,15 @@ def is_geojson(content: object) -> bool:
 
 
 def read_parts(
-    kind: Format, path: Path, data: bytes, options: ImportOptions, notes: Notes
+    kind: Format,
+    path: Path,
+    data: bytes,
+    options: ImportOptions,
+    notes: Notes,
+    *,
+    as_robot: bool = False,
 ) -> Parts:
-    """Read a file's content.
+    """Read a file's content; `as_robot` if the options name the file as the robot.
 
     Raises
     ------
@@ -105,7 +114,7 @@ def read_parts(
         If the file is wrong; the message states file, place and value.
     """
     module = importlib.import_module(f"planar_planner.formats.readers.{kind.reader}")
-    reader: Reader = module.read
+    reader: Reader = getattr(module, kind.robot_reader if as_robot else "read")
     try:
         return reader(data, path, options, notes)
     except SceneError as error:

@@ -71,7 +71,7 @@ def _from_file(path: Path, options: ImportOptions, notes: Notes) -> list[Shape]:
         if not registry.is_geojson(content):
             return _of_scene(content, path)
         kind = registry.GEOJSON
-    parts = registry.read_parts(kind, path, data, options, notes)
+    parts = registry.read_parts(kind, path, data, options, notes, as_robot=True)
     shapes = parts.robot or _only_shape(parts)
     if not shapes:
         raise SceneError("has no robot and not exactly one shape", source=str(path))
