@@ -91,7 +91,7 @@ def _with_ends(scene: Scene, options: ImportOptions) -> Scene:
     given = replace(options, start=None, goal=None)
     for field in dataclasses.fields(given):
         if getattr(given, field.name) != field.default:
-            name = "role" if field.name == "roles" else field.name
+            name = "role" if field.name == "roles" else field.name.replace("_", "-")
             raise SceneError(
                 f"is a scene file, and --{name} is for files in other formats", source=scene.source
             )

@@ -76,7 +76,7 @@ def parts_of(drawing: Drawing, options: ImportOptions, notes: Notes) -> Parts:
     if not (parts.obstacles or parts.robot or parts.workspace):
         raise SceneError(
             "nothing has a role; ids, classes, labels or layers must have the names robot, "
-            "obstacle, workspace, start, goal, or --role must state their roles"
+            "obstacle, workspace, start, goal, or --role must state their roles" + notes.names_met()
         )
     if flattener.met_curves:
         parts.holds_for = "path" if options.flatten == OUTWARDS else "no_path"

@@ -6,6 +6,7 @@ import argparse
 import math
 import sys
 from pathlib import Path
+from typing import Any
 
 from planar_planner.cli.arguments.shared import real_number
 from planar_planner.cli.progress import Progress
@@ -45,6 +46,9 @@ def add_importing(command: argparse.ArgumentParser) -> None:
         "--unknown", action="store_true", help="treat unknown cells of a map as obstacles"
     )
     group.add_argument(
+        "--allow-empty", action="store_true", help="take a file in which nothing is an obstacle"
+    )
+    group.add_argument(
         "--flatten",
         choices=(OUTWARDS, INWARDS),
         default=OUTWARDS,
@@ -77,6 +81,7 @@ def import_options(arguments: argparse.Namespace) -> ImportOptions:
         footprint=arguments.footprint,
         padding=arguments.padding,
         unknown=arguments.unknown,
+        allow_empty=arguments.allow_empty,
         flatten=arguments.flatten,
         tolerance=arguments.tolerance,
         roles=tuple(arguments.role),
@@ -120,3 +125,10 @@ def scene_of(arguments: argparse.Namespace, name: str, *, quiet: bool = False) -
         for note in scene.notes:
             complain(f"{name}: {note}")
     return scene
+
+
+def import_json(scene: Scene) -> dict[str, Any]:
+    """Return what an importer said, as members of a JSON answer; none for scene files."""
+    if not scene.notes:
+        return {}
+    return {"notes": list(scene.notes), "holds_for": scene.holds_for}

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from planar_planner.cli.arguments.importing import scene_of
+from planar_planner.cli.arguments.importing import import_json, scene_of
 from planar_planner.cli.arguments.limits import options_of
 from planar_planner.cli.arguments.query import add_query
 from planar_planner.cli.arguments.shared import VERDICTS, add_command, add_plot
@@ -69,7 +69,7 @@ def run(arguments: argparse.Namespace) -> int:
         )
     if not output.to_stdout:
         print_verdict(result, brief=arguments.quiet or arguments.verdict_only)
-    output.write(result.to_json())
+    output.write(result.to_json() | import_json(scene))
     if scene.holds_for and result.verdict not in (scene.holds_for, "undecided"):
         complain(one_sided(scene.holds_for))
     if arguments.certificate is not None:

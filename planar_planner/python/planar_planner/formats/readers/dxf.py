@@ -72,7 +72,7 @@ def _parts(entities: list[tuple[str, Any]], options: ImportOptions, notes: Notes
     for layer, entity in entities:
         role = role_of([layer], options.roles)
         if role is None:
-            notes.count("entities on layers without a role ignored")
+            notes.pass_over("entities on layers without a role ignored", [layer])
         elif role == "ignore" or entity.dxftype() in _SILENT:
             continue
         elif role in _MARKS:

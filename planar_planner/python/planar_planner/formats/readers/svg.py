@@ -76,7 +76,7 @@ def _walk(
             continue
         role = role_of(inner.names, options.roles)
         if role is None and child.tag in _SHAPES:
-            notes.count("elements without a role ignored")
+            notes.pass_over("elements without a role ignored", inner.names)
         elif role is not None and role != "ignore":
             if child.tag not in _SHAPES:
                 raise SceneError(f"cannot be read as {role}; turn it into a path", place)
