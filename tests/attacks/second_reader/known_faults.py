@@ -72,16 +72,6 @@ OF: dict[str, set[str]] = {
         "gif",
     },
     "mesh": set(),
-    "wkt": {
-        "hole_outside",
-        "hole_around_shell",
-        "hole_in_hole",
-        "hole_twice",
-    },
-    "geojson": {
-        "hole_outside",
-        "hole_around_shell",
-        "hole_in_hole",
-        "hole_twice",
-    },
+    "wkt": set(),
+    "geojson": set(),
 }

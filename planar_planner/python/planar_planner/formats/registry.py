@@ -60,10 +60,8 @@ _SNIFFED = (  # marks in the beginnings of files whose names do not determine th
     (b"[problem]", OMPL_APP),
     (b"<COLLADA", COLLADA),
     (b"<svg", SVG),
-    (b"POLYGON", WKT),
-    (b"MULTIPOLYGON", WKT),
-    (b"GEOMETRYCOLLECTION", WKT),
 )
+_WKT_MARKS = (b"POLYGON", b"GEOMETRYCOLLECTION")  # in any case of letters
 _SNIFFED_BYTES = 4096
 
 
@@ -85,7 +83,10 @@ def format_of(path: Path, data: bytes) -> Format | None:
     beginning = data[:_SNIFFED_BYTES].lstrip(b"\xef\xbb\xbf \t\r\n")
     if path.suffix.lower() == ".json" or beginning.startswith(b"{"):
         return None
-    return next((kind for mark, kind in _SNIFFED if mark in beginning), None)
+    kind = next((kind for mark, kind in _SNIFFED if mark in beginning), None)
+    if kind is None and any(mark in beginning.upper() for mark in _WKT_MARKS):
+        return WKT
+    return kind
 
 
 def is_geojson(content: object) -> bool:
