@@ -63,6 +63,7 @@ _SNIFFED = (  # marks in the beginnings of files whose names do not determine th
 )
 _WKT_MARKS = (b"POLYGON", b"GEOMETRYCOLLECTION")  # in any case of letters
 _SNIFFED_BYTES = 4096
+_PICTURES = (b"\x89PNG\r\n", b"P5", b"P2", b"BM", b"GIF8", b"\xff\xd8\xff")
 
 
 def known_suffix(name: str) -> bool:
@@ -80,6 +81,11 @@ def format_of(path: Path, data: bytes) -> Format | None:
     known = kind_of_suffix(path)
     if known is not None:
         return known
+    if data.startswith(_PICTURES):
+        raise SceneError(
+            "is a picture without scale; a ROS map.yaml states image, resolution and origin",
+            source=str(path),
+        )
     beginning = data[:_SNIFFED_BYTES].lstrip(b"\xef\xbb\xbf \t\r\n")
     if path.suffix.lower() == ".json" or beginning.startswith(b"{"):
         return None
