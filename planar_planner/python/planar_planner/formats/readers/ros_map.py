@@ -170,7 +170,7 @@ def _yaml(data: bytes) -> object:
     text = text_of(data)
     if text.count("[") + text.count("{") > _MAX_BRACKETS:
         raise SceneError(f"has more than {_MAX_BRACKETS} brackets, which no map has")
-    loader = type("Loader", (yaml.SafeLoader,), {})
+    loader: Any = type("Loader", (yaml.SafeLoader,), {})
     loader.add_implicit_resolver("tag:yaml.org,2002:float", _EXPONENT, list("-+.0123456789"))
     try:
         aliases = any(isinstance(token, yaml.AliasToken) for token in yaml.scan(text))
