@@ -68,7 +68,8 @@ def run(arguments: argparse.Namespace) -> int:
             options=options, listener=progress, certificate=arguments.certificate is not None
         )
     if not output.to_stdout:
-        print_verdict(result, brief=arguments.quiet or arguments.verdict_only)
+        brief = arguments.quiet or arguments.verdict_only
+        print_verdict(result, brief=brief, contact_tolerance=options.contact_tolerance)
     output.write(result.to_json() | import_json(scene))
     if scene.holds_for and result.verdict not in (scene.holds_for, "undecided"):
         complain(one_sided(scene.holds_for))
@@ -121,8 +122,9 @@ def one_sided(holds_for: str) -> str:
     )
 
 
-def print_verdict(result: Result, *, brief: bool) -> None:
+def print_verdict(result: Result, *, brief: bool, contact_tolerance: float = 0.0) -> None:
     """Print the verdict, coloured on a terminal, and the statistics unless `brief`."""
     style = VERDICT_STYLES[result.verdict]
     first = headline(result, lambda verdict: styled(verdict, style, sys.stdout))
-    emit(first if brief else f"{first}\n{statistics(result)}")
+    more = "" if brief else f"\n{statistics(result, contact_tolerance=contact_tolerance)}"
+    emit(first + more)
