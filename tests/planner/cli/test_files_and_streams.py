@@ -86,3 +86,16 @@ def test_a_small_overlap_names_the_tolerance(
         assert ("--contact-tolerance 0.00011 takes it" in capsys.readouterr().err) == named
     assert main(["solve", str(file), "--contact-tolerance", "1e-3"]) == 2
     assert "--contact-tolerance" not in capsys.readouterr().err
+
+
+def test_an_interrupt_while_drawing_keeps_the_verdict(
+    slot: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("planar_planner.pictures.views.draw_view", interrupted)
+    picture = slot.with_name("slot.png")
+    assert main(["solve", str(slot), "--plot", str(picture)]) == 0
+    assert "interrupted" in capsys.readouterr().err
+    assert not picture.exists()

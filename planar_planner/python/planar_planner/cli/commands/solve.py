@@ -76,7 +76,10 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.certificate is not None:
         _write_certificate(result, arguments.certificate)
     if arguments.plot is not None:
-        _draw(planner, result, view, arguments, options)
+        try:
+            _draw(planner, result, view, arguments, options)
+        except KeyboardInterrupt:  # the verdict is printed, and the status states it all the same
+            complain(f"interrupted; {arguments.plot} is not written")
     return EXIT_STATUS[result.verdict]
 
 
