@@ -102,6 +102,7 @@ MOST_FILES = 16
 
 SLOW_TO_IMPORT = (
     "PIL",
+    "cssselect2",
     "ezdxf",
     "imageio_ffmpeg",
     "matplotlib",
@@ -114,6 +115,7 @@ SLOW_TO_IMPORT = (
     "rich",
     "shapely",
     "svgpathtools",
+    "tinycss2",
     "yaml",
 )
 

@@ -139,10 +139,10 @@ def test_shipped_scenes_come_back_exactly(name: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("element", "place"),
     [
-        ('<path id="obstacle" d="M0 0 L1 0 L1 1"/>', "path 'obstacle': is open"),
+        ('<path id="obstacle" fill="none" stroke="red" d="M0 0h1v1"/>', "path 'obstacle': is open"),
         ('<path id="obstacle" d="M0 0 Q"/>', "path 'obstacle': path data cannot be read"),
         ('<path id="obstacle" d="nonsense"/>', "path 'obstacle'"),
-        ('<path id="obstacle" d=""/>', "path 'obstacle': is empty"),
+        ('<path id="origin" d=""/>', "path 'origin': is empty"),
         ('<path id="obstacle" d="M0 0 L2 2 L2 0 L0 2z"/>', "outline crosses itself"),
         ('<path id="obstacle" d="M0 0 c 90 50 -80 50 9 0z"/>', "crosses itself when flattened"),
         ('<rect id="obstacle" width="wide" height="1"/>', "rect 'obstacle', width"),

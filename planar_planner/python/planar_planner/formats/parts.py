@@ -48,6 +48,8 @@ class ImportOptions:
         Roles of layers, ids, classes or labels; they come before the known names.
     allow_empty : bool
         Whether a file without obstacles is taken; it is refused otherwise.
+    only_robot : bool
+        Whether the file is read for its robot alone; a drawing's only shape then needs no role.
     """
 
     start: list[float] | None = None
@@ -60,6 +62,7 @@ class ImportOptions:
     tolerance: float | None = None
     roles: tuple[tuple[str, str], ...] = ()
     allow_empty: bool = False
+    only_robot: bool = False
 
 
 @dataclass

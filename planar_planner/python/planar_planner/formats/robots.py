@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -71,7 +72,9 @@ def _from_file(path: Path, options: ImportOptions, notes: Notes) -> list[Shape]:
         if not registry.is_geojson(content):
             return _of_scene(content, path)
         kind = registry.GEOJSON
-    parts = registry.read_parts(kind, path, data, options, notes, as_robot=True)
+    parts = registry.read_parts(
+        kind, path, data, replace(options, only_robot=True), notes, as_robot=True
+    )
     if parts.robot:
         return parts.robot
     if len(parts.obstacles) != 1:
