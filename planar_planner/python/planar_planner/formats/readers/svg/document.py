@@ -16,6 +16,14 @@ from planar_planner.formats.roles import role_of
 
 SVG = "http://www.w3.org/2000/svg"
 _LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
+NEVER_DRAWN = frozenset(
+    {
+        "animate", "animateColor", "animateMotion", "animateTransform", "clipPath", "cursor",
+        "defs", "desc", "filter", "font", "linearGradient", "marker", "mask", "metadata", "pattern",
+        "radialGradient", "script", "set", "solidcolor", "stop", "style", "symbol", "title", "view",
+    }
+)  # fmt: skip
+HREF = ("href", "{http://www.w3.org/1999/xlink}href")
 MOST_ELEMENTS = 200_000
 """Elements that are drawn, each use of one counted; nested uses can multiply without bound."""
 
@@ -68,23 +76,10 @@ class Document:
     notes: Notes
     drawing: Drawing
     lone: list[tuple[Node, Context, str]] = field(default_factory=list)
-    drawn: int = 0
 
     def is_svg(self, node: Node) -> bool:
         """Return whether an element is of the language of the root."""
         return bool(node.namespace_url == self.namespace)
-
-    def count_element(self) -> None:
-        """Count an element that is drawn.
-
-        Raises
-        ------
-        SceneError
-            If there are too many.
-        """
-        self.drawn += 1
-        if self.drawn > MOST_ELEMENTS:
-            raise SceneError(f"draws more than {MOST_ELEMENTS} elements")
 
     def role(self, names: tuple[str, ...], context: Context) -> str | None:
         """Return the role of an element with names of its own and its groups'."""
@@ -110,3 +105,36 @@ def ids_of(root: Node) -> dict[str, Node]:
         if node.id:
             ids.setdefault(node.id, node)
     return ids
+
+
+def link_of(node: Node) -> str:
+    """Return what an element refers to; empty if it does not."""
+    attributes = node.etree_element.attrib
+    return next((str(attributes[key]).strip() for key in HREF if key in attributes), "")
+
+
+def check_size(root: Node, ids: Mapping[str, Node]) -> None:
+    """Raise if too many elements are drawn, by counting each element once.
+
+    Raises
+    ------
+    SceneError
+        If there are more than `MOST_ELEMENTS`, each use of one counted.
+    """
+    if _drawn(root, ids, {}) > MOST_ELEMENTS:
+        raise SceneError(f"draws more than {MOST_ELEMENTS} elements")
+
+
+def _drawn(node: Node, ids: Mapping[str, Node], known: dict[Node, int]) -> int:
+    """Return the number of elements that a node draws; a loop of uses counts once."""
+    if node not in known:
+        known[node] = 1
+        total = 1
+        target = ids.get(link_of(node).removeprefix("#")) if node.local_name == "use" else None
+        if target is not None:
+            total += _drawn(target, ids, known)
+        for child in node.iter_children():
+            if child.local_name not in NEVER_DRAWN:
+                total += _drawn(child, ids, known)
+        known[node] = total
+    return known[node]

@@ -7,6 +7,7 @@ from enum import Enum
 from typing import Any
 
 from planar_planner.errors import SceneError, cut
+from planar_planner.formats.readers.svg.document import link_of
 from planar_planner.formats.readers.svg.style import (
     Node,
     Sheet,
@@ -18,7 +19,6 @@ from planar_planner.formats.readers.svg.style import (
 )
 from planar_planner.formats.reading import require
 
-HREF = ("href", "{http://www.w3.org/1999/xlink}href")
 _ANIMATIONS = ("animate", "animateMotion", "animateTransform", "set", "animateColor")
 _EFFECTS = (
     "clip-path",
@@ -162,10 +162,7 @@ def _has_gap(server: Node, servers: Mapping[str, Node], sheet: Sheet) -> bool:
         stops = [child for child in node.iter_children() if child.local_name == "stop"]
         if stops:
             return any(_stop_alpha(stop, sheet) < 1 for stop in stops)
-        link = next(
-            (node.etree_element.get(key) for key in HREF if key in node.etree_element.attrib), ""
-        )
-        name = (link or "").strip().removeprefix("#")
+        name = link_of(node).removeprefix("#")
         if name in seen:
             return True
         seen.append(name)

@@ -13,7 +13,7 @@ from planar_planner.formats.readers.svg.style import Value, Values, word_of
 from planar_planner.formats.reading import require
 
 IDENTITY: Affine = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
-_FUNCTION = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
+_FUNCTION = re.compile(r"[\s,]*([A-Za-z][A-Za-z0-9]*)\s*\(([^()]*)\)[\s,]*")
 _COUNTS = {
     "matrix": (6,),
     "translate": (1, 2),

@@ -10,11 +10,19 @@ from planar_planner.errors import SceneError, cut
 from planar_planner.formats.drawing import Drawing, parts_of
 from planar_planner.formats.outlines.curves import Affine
 from planar_planner.formats.parts import ImportOptions, Notes, Parts
-from planar_planner.formats.readers.svg.document import SVG, Context, Document, ids_of, names_of
+from planar_planner.formats.readers.svg.document import (
+    NEVER_DRAWN,
+    SVG,
+    Context,
+    Document,
+    check_size,
+    ids_of,
+    link_of,
+    names_of,
+)
 from planar_planner.formats.readers.svg.figures import take
 from planar_planner.formats.readers.svg.lengths import parsed
 from planar_planner.formats.readers.svg.paint import (
-    HREF,
     effect_of,
     is_left_out,
     is_visible,
@@ -34,34 +42,6 @@ from planar_planner.formats.reading import require
 from planar_planner.formats.xml_tree import parse_xml
 
 _UPWARDS: Affine = (1.0, 0.0, 0.0, -1.0, 0.0, 0.0)
-_NEVER_DRAWN = frozenset(
-    (
-        "defs",
-        "symbol",
-        "clipPath",
-        "mask",
-        "marker",
-        "pattern",
-        "linearGradient",
-        "radialGradient",
-        "filter",
-        "metadata",
-        "style",
-        "title",
-        "desc",
-        "script",
-        "view",
-        "cursor",
-        "font",
-        "stop",
-        "animate",
-        "animateMotion",
-        "animateTransform",
-        "animateColor",
-        "set",
-        "solidcolor",
-    )
-)
 _NOT_READ = frozenset(("text", "image", "foreignObject", "video", "audio", "iframe", "canvas"))
 _LEFT_OUT = "elements that a viewer does not show are left out"
 
@@ -80,7 +60,9 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
     namespace: str = root.namespace_url
     sheet = sheet_of(root, lambda node: bool(node.namespace_url == namespace))
     drawing = Drawing(rotation=element.get("data-rotation") != "false")
-    document = Document(sheet, ids_of(root), namespace, options, notes, drawing)
+    ids = ids_of(root)
+    check_size(root, ids)
+    document = Document(sheet, ids, namespace, options, notes, drawing)
     _children(document, root, _root_context(root, sheet, notes))
     _take_lone(document)
     return parts_of(drawing, options, notes)
@@ -123,12 +105,11 @@ _NO_ROLE = "elements without a role ignored"
 
 def _children(document: Document, parent: Node, context: Context) -> None:
     for node in parent.iter_children():
-        if document.is_svg(node) and node.local_name not in _NEVER_DRAWN:
+        if document.is_svg(node) and node.local_name not in NEVER_DRAWN:
             _element(document, node, context)
 
 
 def _element(document: Document, node: Node, context: Context) -> None:
-    document.count_element()
     kind = node.local_name
     place = f"{kind} {cut(node.id)!r}" if node.id else cut(kind)
     own = names_of(node)
@@ -195,7 +176,7 @@ def _switch(document: Document, node: Node, inner: Context) -> None:
     """Walk the first child that passes; a viewer leaves out the others."""
     chosen = False
     for child in node.iter_children():
-        if document.is_svg(child) and child.local_name not in _NEVER_DRAWN:
+        if document.is_svg(child) and child.local_name not in NEVER_DRAWN:
             takes = not chosen and passes(child)
             chosen = chosen or takes
             _element(document, child, inner if takes else replace(inner, left_out=True))
@@ -220,8 +201,7 @@ def _framed(context: Context, frame: Viewport | None) -> Context:
 
 def _use(document: Document, node: Node, own: tuple[str, ...], inner: Context, place: str) -> None:
     """Walk the target of a use element (SVG 2, section 5.6): moved by x and y, then transformed."""
-    element = node.etree_element
-    link = next((element.get(key) for key in HREF if key in element.attrib), "").strip()
+    link = link_of(node)
     name = link.removeprefix("#")
     target = document.ids.get(name) if link.startswith("#") else None
     if link and not link.startswith("#"):
@@ -238,10 +218,9 @@ def _use(document: Document, node: Node, own: tuple[str, ...], inner: Context, p
         role=role,
     )
     if target.local_name not in ("symbol", "svg"):
-        if document.is_svg(target) and target.local_name not in _NEVER_DRAWN:
+        if document.is_svg(target) and target.local_name not in NEVER_DRAWN:
             _element(document, target, inside)
         return
-    document.count_element()
     where = f"{cut(target.local_name)} {cut(name)!r}"
     framed = _within(document, target, names_of(target), inside, where)
     sides = {side: inner.values[side] for side in ("width", "height") if side in inner.values}
