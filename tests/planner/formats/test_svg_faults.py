@@ -61,8 +61,8 @@ def test_a_radius_that_is_too_small_grows() -> None:
 @pytest.mark.parametrize(
     ("name", "note"),
     [
-        ("px.svg", "pixels (px, 1/96 inch), not mm; its width and height are 794 by 1123"),
-        ("mmpx.svg", "user units of the viewBox; width and height, 100mm by 100mm"),
+        ("px.svg", "pixels (px, 1/96 inch), not mm; its size is 794 by 1123"),
+        ("mmpx.svg", "user units of the viewBox; the stated size of 100mm by 100mm"),
     ],
 )
 def test_the_unit_is_said(name: str, note: str) -> None:

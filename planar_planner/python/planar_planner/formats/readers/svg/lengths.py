@@ -11,7 +11,7 @@ from planar_planner.errors import SceneError, cut, shown
 from planar_planner.formats.readers.svg.style import Value, Values
 from planar_planner.formats.reading import coordinate
 
-NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+NUMBER = r"[-+]?(?:\d+(?:\.\d+)?|\.\d+)(?:[eE][-+]?\d+)?"
 _LENGTH = re.compile(rf"\s*({NUMBER})\s*([a-zA-Z%]*)\s*")
 _SEPARATED = re.compile(rf"\s*,?\s*({NUMBER})")
 _PIXELS = {  # numerator and denominator, so that whole inches stay exact (CSS Values 4, section 6)

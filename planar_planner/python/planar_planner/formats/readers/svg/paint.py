@@ -54,6 +54,8 @@ def effect_of(node: Node, values: Values) -> str:
     for name in _EFFECTS:
         if word_of(values, name, "none") not in _NO_EFFECT:
             return name
+    if word_of(values, "display", "inline") == "contents":
+        return "display:contents"
     if any(child.tag.rpartition("}")[2] in _ANIMATIONS for child in node.etree_children):
         return "animation"
     return ""

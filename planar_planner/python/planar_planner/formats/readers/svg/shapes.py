@@ -81,6 +81,9 @@ def _path(node: Node, values: Values, place: str) -> list[list[Piece]]:
 def path_runs(text: str, place: str) -> Iterator[list[Piece]]:
     """Yield the pieces of each subpath, parsed one by one: svgpathtools joins those that touch."""
     svgpathtools: Any = require("svgpathtools", "reading SVG", "svg")
+    point = re.search(r"\d\.(?!\d)", text)
+    if point:  # svgpathtools would take it
+        raise SceneError("has a number that ends with a point", place, cut(text[point.start() :]))
     current, pending = 0j, ""
     for part in re.split(r"(?=[Mm])", text):
         pending += part
@@ -92,7 +95,7 @@ def path_runs(text: str, place: str) -> Iterator[list[Piece]]:
                 path = svgpathtools.parse_path(pending, current_pos=current)
             pieces = [piece for segment in path for piece in _pieces(segment, svgpathtools)]
         except Exception as error:  # the parser raises many types on broken path data
-            reason = cut(" ".join(str(error).split())) or type(error).__name__
+            reason = cut(" ".join(str(error).split())) or "an arc or curve has no length"
             raise SceneError(f"path data cannot be read: {reason}", place, cut(pending)) from None
         if len(path) == 0:
             continue  # this is a move alone, from which the next relative move starts

@@ -151,7 +151,10 @@ class Sheet:
                 (important if matters else plain).append((name, value))
         result: dict[str, Value] = {}
         for name, value in (*plain, *important):
-            if _is_valid(name, value):
+            valid = _is_valid(name, value)
+            if not valid and name in _PAINTS and "(" in value.text:
+                raise SceneError(f"{name}: is a colour that is not read", place, cut(value.text))
+            if valid:
                 if _FUNCTIONS.search(value.text):
                     raise SceneError(f"{name}: is computed, which is not read", place, value.text)
                 result[name] = value
@@ -164,9 +167,14 @@ def sheet_of(root: Node, is_svg: Callable[[Node], bool]) -> Sheet:
     for node in root.iter_subtree():
         element = node.etree_element
         kind = (element.get("type") or "text/css").strip().lower()
-        if node.local_name == "style" and is_svg(node) and kind == "text/css":
+        if node.local_name == "style" and _is_style(node, is_svg) and kind == "text/css":
             sheet.add("".join(element.itertext()), element.get("media") or "", "style")
     return sheet
+
+
+def _is_style(node: Node, is_svg: Callable[[Node], bool]) -> bool:
+    """Return whether viewers read the style of an element: one of XHTML counts, too."""
+    return is_svg(node) or node.namespace_url == "http://www.w3.org/1999/xhtml"
 
 
 def computed(own: Values, parent: Values) -> Values:
@@ -221,6 +229,7 @@ _KEYWORDS = {
     "visibility": ("visible", "hidden", "collapse"),
     "overflow": ("visible", "hidden", "scroll", "auto", "clip"),
 }
+_PAINTS = ("fill", "stroke", "color", "stop-color")
 _WIDE = ("inherit", "initial", "unset", "revert", "revert-layer")
 
 
@@ -230,10 +239,10 @@ def _is_valid(name: str, value: Value) -> bool:
     if not word:
         return name in ("d", "transform")
     if word in _WIDE or _FUNCTIONS.search(word):
-        return True
+        return value.css or name != "transform"
     if name in _KEYWORDS:
         return word in _KEYWORDS[name]
-    if name in ("fill", "stroke", "color", "stop-color"):
+    if name in _PAINTS:
         return is_paint(value.text)
     if name.endswith("opacity"):
         return opacity(word) is not None

@@ -92,12 +92,12 @@ def root_size(root: Node, notes: Notes) -> Size:
 
 
 _PIXELS = (
-    "lengths are in the drawing's user units, which are pixels (px, 1/96 inch), not mm; its width "
-    "and height are {}"
+    "lengths are in the drawing's user units, which are pixels (px, 1/96 inch), not mm; its size "
+    "is {}"
 )
 _USER_UNITS = (
-    "lengths are in the user units of the viewBox; width and height, {}, by which one user unit is "
-    "shown as {!r} px (1/96 inch), are not used"
+    "lengths are in the user units of the viewBox; the stated size of {}, by which one user unit "
+    "is shown as {!r} px (1/96 inch), is not used"
 )
 
 
@@ -153,6 +153,8 @@ def _frame(
         value = values.get(name)
         if value is None or value.text.lower() == "auto":
             sides.append(outer.base(name))
+        elif value.css:
+            raise SceneError("has a size in CSS, which viewers read differently", place)
         else:
             sides.append(parsed(value, outer.base(name), f"{place}, {name}"))
     if any(side is not None and side < 0 for side in sides):

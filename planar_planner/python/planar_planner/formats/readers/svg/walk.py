@@ -52,7 +52,7 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
     element = parse_xml(data, "svg", namespaces=True)
     require("svgpathtools", "reading SVG", "svg")
     cssselect2: Any = require("cssselect2", "reading SVG", "svg")
-    if b"<?xml-stylesheet" in data:
+    if any("<?xml-stylesheet".encode(code) in data for code in ("utf-8", "utf-16-le", "utf-16-be")):
         raise SceneError("has a style sheet in another file, which is not read")
     root: Node = cssselect2.ElementWrapper.from_xml_root(element)
     if root.namespace_url not in (SVG, ""):
@@ -176,9 +176,11 @@ def _switch(document: Document, node: Node, inner: Context) -> None:
     """Walk the first child that passes; a viewer leaves out the others."""
     chosen = False
     for child in node.iter_children():
-        if document.is_svg(child) and child.local_name not in NEVER_DRAWN:
+        if document.is_svg(child):
             takes = not chosen and passes(child)
             chosen = chosen or takes
+            if child.local_name in NEVER_DRAWN:
+                continue
             _element(document, child, inner if takes else replace(inner, left_out=True))
 
 
@@ -226,8 +228,6 @@ def _use(document: Document, node: Node, own: tuple[str, ...], inner: Context, p
     sides = {side: inner.values[side] for side in ("width", "height") if side in inner.values}
     kept = {side: value for side, value in sides.items() if value.text.lower() != "auto"}
     base = dict(framed.values)
-    if target.local_name == "symbol":
-        base = {key: value for key, value in base.items() if key not in ("width", "height")}
     _viewport(document, target, framed, where, {**base, **kept})
 
 
