@@ -206,3 +206,39 @@ def test_shapes_without_area_are_left_out_and_counted(tmp_path: Path) -> None:
     scene = drawn(tmp_path, BLOCK.format(""), *empty)
     assert boxes(scene) == [HERE]
     assert "elements without area are left out: 2" in scene.notes
+
+
+@pytest.mark.parametrize("selector", ["circle ~ rect", "rect:nth-child(3)"])
+def test_selectors_of_quadratic_cost_are_bounded(selector: str, tmp_path: Path) -> None:
+    many = '<rect class="obstacle" width="1" height="1"/>' * 2001
+    with pytest.raises(SceneError, match="compares more than 2000 elements"):
+        drawn(tmp_path, style(f"{selector}{{fill:red}}"), f"<g>{many}</g>")
+
+
+def test_first_of_a_switch_is_taken_as_browsers_do(tmp_path: Path) -> None:
+    for first, count in (("<title>t</title>", 2), ('<g systemLanguage="de"/>', 1)):
+        body = f"<switch>{first}{BLOCK.format('')}{BLOCK.format('')}</switch>"
+        other = '<rect class="obstacle" x="90" width="1" height="1"/>'
+        scene = drawn(tmp_path, body, other)
+        assert f"elements that a viewer does not show are left out: {count}" in scene.notes
+        assert len(scene.obstacles) == 3 - count
+
+
+@pytest.mark.parametrize(
+    ("elements", "problem"),
+    [
+        (BLOCK.format(' style="transform:translate(1px),scale(2)"'), "comma between functions"),
+        (BLOCK.format(' transform="translate(1),"'), "transform"),
+        (BLOCK.format(' style="fill:color-mix(in srgb, red, blue)"'), "colour that is not read"),
+        (BLOCK.format(' style="display:contents"'), "display:contents"),
+        ('<rect id="obstacle" width="20." height="1"/>', "must be a length"),
+        ('<path id="obstacle" d="M1. 1h9v9z"/>', "ends with a point"),
+        ('<g id="obstacle"><svg style="width:9px"><path d="M0 0h1v1z"/></svg></g>', "size in CSS"),
+    ],
+)
+def test_what_viewers_drop_or_read_differently_is_refused(
+    elements: str, problem: str, tmp_path: Path
+) -> None:
+    with pytest.raises(SceneError) as raised:
+        drawn(tmp_path, elements)
+    assert problem in str(raised.value)

@@ -87,6 +87,9 @@ PROPERTIES = ATTRIBUTES | _CSS_ALONE | {"marker"}
 _IGNORED_RULES = ("charset", "font-face", "namespace", "keyframes", "page", "counter-style")
 _SHOWN_MEDIA = ("", "all", "screen", "only screen")
 _NOT_SHOWN_MEDIA = ("print", "speech", "not all", "only print", "not screen")
+_COMPARES_SIBLINGS = re.compile(r"~(?!=)|:nth-|:has\(", re.IGNORECASE)
+MOST_SIBLINGS = 2000
+"""Elements of one parent where a selector compares siblings, whose cost grows with the square."""
 _FUNCTIONS = re.compile(r"\b(var|env|calc|min|max|clamp|attr|if)\(", re.IGNORECASE)
 
 
@@ -97,6 +100,7 @@ class Sheet:
         library: Any = require("cssselect2", "reading SVG", "svg")
         self._matcher = library.Matcher()
         self._compile: Callable[[Any], Iterable[Any]] = library.compile_selector_list
+        self._compares_siblings = False
         self._error: type[Exception] = library.SelectorError
 
     def add(self, text: str, media: str, place: str) -> None:
@@ -120,6 +124,8 @@ class Sheet:
                 except self._error:
                     text = cut(tinycss2.serialize(rule.prelude).strip())
                     raise SceneError("has a selector that is not read", place, text) from None
+                text = tinycss2.serialize(rule.prelude)
+                self._compares_siblings |= _COMPARES_SIBLINGS.search(text) is not None
                 for selector in selectors:
                     if selector.pseudo_element is None:
                         self._matcher.add_selector(selector, found)
@@ -138,6 +144,8 @@ class Sheet:
     def declared(self, node: Node, place: str) -> dict[str, Value]:
         """Return the values that hold for an element itself, before inheritance."""
         element = node.etree_element
+        if self._compares_siblings and len(node.etree_siblings) > MOST_SIBLINGS:
+            raise SceneError(f"compares more than {MOST_SIBLINGS} elements by ~ or :nth-", "style")
         plain: list[tuple[str, Value]] = [
             (name, Value(element.attrib[name].strip(), css=False))
             for name in sorted(ATTRIBUTES.intersection(element.keys()))
