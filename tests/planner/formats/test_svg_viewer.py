@@ -227,13 +227,26 @@ def test_first_of_a_switch_is_taken_as_browsers_do(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("elements", "problem"),
     [
-        (BLOCK.format(' style="transform:translate(1px),scale(2)"'), "comma between functions"),
+        (BLOCK.format(' style="transform:translate(1px),scale(2)"'), "comma or space that CSS"),
         (BLOCK.format(' transform="translate(1),"'), "transform"),
         (BLOCK.format(' style="fill:color-mix(in srgb, red, blue)"'), "colour that is not read"),
         (BLOCK.format(' style="display:contents"'), "display:contents"),
+        ('<path id="obstacle" d="M9,,9h9v9z"/>', "path data cannot be read"),
+        ('<path id="obstacle" d="M9 9a5 5 0 2 1 9 9z"/>', "path data cannot be read"),
+        ('<path id="obstacle" d="M9\u00a09h9v9z"/>', "path data cannot be read"),
+        ('<path id="obstacle" d="M9 9h2_0v9z"/>', "path data cannot be read"),
+        ('<polygon id="obstacle" points=",1 2 3 4 5 9"/>', "must be numbers"),
+        ('<rect id="obstacle" width="20 px" height="9"/>', "must be a length"),
+        (BLOCK.format(' style="width:-9px"'), "must not be negative in CSS"),
+        (BLOCK.format(' style="x:auto"'), "must be a length"),
+        (
+            '<radialGradient id="p" fx="0.9" fr="0.1"><stop/></radialGradient>'
+            + BLOCK.format(' fill="url(#p)"'),
+            "may not fill all",
+        ),
         ('<rect id="obstacle" width="20." height="1"/>', "must be a length"),
-        ('<path id="obstacle" d="M1. 1h9v9z"/>', "ends with a point"),
-        ('<g id="obstacle"><svg style="width:9px"><path d="M0 0h1v1z"/></svg></g>', "size in CSS"),
+        ('<path id="obstacle" d="M1. 1h9v9z"/>', "path data cannot be read"),
+        ('<g id="obstacle"><svg style="width:9px"><path d="M0 0h1v1z"/></svg></g>', "frame in CSS"),
     ],
 )
 def test_what_viewers_drop_or_read_differently_is_refused(

@@ -110,7 +110,7 @@ def ids_of(root: Node) -> dict[str, Node]:
 def link_of(node: Node) -> str:
     """Return what an element refers to; empty if it does not."""
     attributes = node.etree_element.attrib
-    return next((str(attributes[key]).strip() for key in HREF if key in attributes), "")
+    return next((str(attributes[key]) for key in HREF if key in attributes), "")
 
 
 def check_size(root: Node, ids: Mapping[str, Node]) -> None:

@@ -12,8 +12,10 @@ from planar_planner.formats.readers.svg.style import Value, Values
 from planar_planner.formats.reading import coordinate
 
 NUMBER = r"[-+]?(?:\d+(?:\.\d+)?|\.\d+)(?:[eE][-+]?\d+)?"
-_LENGTH = re.compile(rf"\s*({NUMBER})\s*([a-zA-Z%]*)\s*")
-_SEPARATED = re.compile(rf"\s*,?\s*({NUMBER})")
+SPACE = " \t\r\n\f"
+_LENGTH = re.compile(rf"[{SPACE}]*({NUMBER})([a-zA-Z%]*)[{SPACE}]*", re.ASCII)
+_FIRST = re.compile(rf"[{SPACE}]*({NUMBER})", re.ASCII)
+_NEXT = re.compile(rf"[{SPACE}]*,?[{SPACE}]*({NUMBER})", re.ASCII)
 _PIXELS = {  # numerator and denominator, so that whole inches stay exact (CSS Values 4, section 6)
     "": (1.0, 1.0),
     "px": (1.0, 1.0),
@@ -24,6 +26,7 @@ _PIXELS = {  # numerator and denominator, so that whole inches stay exact (CSS V
     "pt": (96.0, 72.0),
     "pc": (16.0, 1.0),
 }
+_SIZES = ("width", "height", "r", "rx", "ry")
 PHYSICAL = ("in", "cm", "mm", "q", "pt", "pc")
 
 
@@ -82,9 +85,12 @@ def parsed(value: Value, base: float | None, place: str) -> float:
 def stated(values: Values, name: str, size: Size, place: str) -> float | None:
     """Return a geometry property in user units; None if it is ``auto`` or not stated."""
     value = values.get(name)
-    if value is None or value.text.lower() == "auto":
+    if value is None or (value.text.lower() == "auto" and name in _SIZES):
         return None
-    return parsed(value, size.base(name), f"{place}, {name}")
+    length = parsed(value, size.base(name), f"{place}, {name}")
+    if length < 0 and value.css and name in _SIZES:
+        raise SceneError("must not be negative in CSS", f"{place}, {name}", cut(value.text))
+    return length
 
 
 def numbers(text: str, place: str) -> list[float]:
@@ -94,8 +100,8 @@ def numbers(text: str, place: str) -> list[float]:
 
 def _numbers(text: str, place: str) -> Iterator[float]:
     position = 0
-    while match := _SEPARATED.match(text, position):
+    while match := (_NEXT if position else _FIRST).match(text, position):
         position = match.end()
         yield coordinate(match[1], place)
-    if text[position:].strip():
-        raise SceneError("must be numbers", place, cut(text[position:].strip()))
+    if text[position:].strip(SPACE):
+        raise SceneError("must be numbers", place, cut(text[position:].strip(SPACE)))

@@ -8,6 +8,7 @@ from typing import Any
 
 from planar_planner.errors import SceneError, cut
 from planar_planner.formats.readers.svg.document import link_of
+from planar_planner.formats.readers.svg.lengths import Size, split
 from planar_planner.formats.readers.svg.style import (
     Node,
     Sheet,
@@ -17,6 +18,7 @@ from planar_planner.formats.readers.svg.style import (
     opacity,
     word_of,
 )
+from planar_planner.formats.readers.svg.transforms import determinant, transform_of
 from planar_planner.formats.reading import require
 
 _ANIMATIONS = ("animate", "animateMotion", "animateTransform", "set", "animateColor")
@@ -100,9 +102,9 @@ def fill_of(values: Values, servers: Mapping[str, Node], sheet: Sheet, place: st
 
 def stroke_of(values: Values) -> Paint:
     """Return whether a stroke is seen; a reference counts as seen."""
-    width = word_of(values, "stroke-width", "1")
+    width, _ = split(word_of(values, "stroke-width", "1"), "stroke-width")
     text = values["stroke"].text if "stroke" in values else "none"
-    if _share(values, "stroke-opacity") <= 0 or opacity(width.removesuffix("px")) == 0:
+    if _share(values, "stroke-opacity") <= 0 or width == 0:
         return Paint.NONE
     if text.lower().startswith(("url(", "context-")):
         return Paint.SEEN
@@ -150,6 +152,8 @@ def _paint(
         raise SceneError("fill: a pattern is not read; use a plain colour", place, cut(text))
     if _has_gap(server, servers, sheet):
         raise SceneError("fill: a gradient with transparency is not read", place, cut(text))
+    if _is_odd(server, servers, sheet):
+        raise SceneError("fill: a gradient that may not fill all is not read", place, cut(text))
     return Paint.SEEN
 
 
@@ -170,6 +174,31 @@ def _has_gap(server: Node, servers: Mapping[str, Node], sheet: Sheet) -> bool:
         seen.append(name)
         node = servers.get(name)
     return True
+
+
+def _is_odd(server: Node, servers: Mapping[str, Node], sheet: Sheet) -> bool:
+    """Return whether a gradient may leave places unpainted although its stops are opaque.
+
+    A gradient that is not displayed, a singular transform and a focal circle off the centre do.
+    """
+    for above in (server, *server.ancestors):
+        if word_of(sheet.declared(above, "gradient"), "display", "inline") == "none":
+            return True
+    seen: list[Node] = []
+    node: Node | None = server
+    while node is not None and node not in seen:
+        seen.append(node)
+        element = node.etree_element
+        if element.get("fr", "0") not in ("0", "0%") or any(
+            element.get(f"f{axis}", element.get(f"c{axis}")) != element.get(f"c{axis}")
+            for axis in "xy"
+        ):
+            return True
+        own = Value(element.get("gradientTransform") or "", css=False)
+        if determinant(transform_of({"transform": own}, Size(None, None), "gradient")) == 0:
+            return True
+        node = servers.get(link_of(node).removeprefix("#"))
+    return False
 
 
 def _stop_alpha(stop: Node, sheet: Sheet) -> float:

@@ -13,6 +13,7 @@ from planar_planner.errors import SceneError, cut, shown
 from planar_planner.formats.outlines import curves
 from planar_planner.formats.outlines.curves import Piece
 from planar_planner.formats.parts import Point
+from planar_planner.formats.readers.svg import path_grammar
 from planar_planner.formats.readers.svg.lengths import Size, numbers, parsed, stated
 from planar_planner.formats.readers.svg.style import Node, Value, Values
 from planar_planner.formats.reading import require
@@ -81,9 +82,7 @@ def _path(node: Node, values: Values, place: str) -> list[list[Piece]]:
 def path_runs(text: str, place: str) -> Iterator[list[Piece]]:
     """Yield the pieces of each subpath, parsed one by one: svgpathtools joins those that touch."""
     svgpathtools: Any = require("svgpathtools", "reading SVG", "svg")
-    point = re.search(r"\d\.(?!\d)", text)
-    if point:  # svgpathtools would take it
-        raise SceneError("has a number that ends with a point", place, cut(text[point.start() :]))
+    path_grammar.check(text, place)
     current, pending = 0j, ""
     for part in re.split(r"(?=[Mm])", text):
         pending += part

@@ -147,7 +147,7 @@ class Sheet:
         if self._compares_siblings and len(node.etree_siblings) > MOST_SIBLINGS:
             raise SceneError(f"compares more than {MOST_SIBLINGS} elements by ~ or :nth-", "style")
         plain: list[tuple[str, Value]] = [
-            (name, Value(element.attrib[name].strip(), css=False))
+            (name, Value(element.attrib[name].strip(" \t\r\n\f"), css=False))
             for name in sorted(ATTRIBUTES.intersection(element.keys()))
         ]
         important: list[tuple[str, Value]] = []
@@ -235,6 +235,31 @@ def _is_shown(media: str, place: str) -> bool:
 _KEYWORDS = {
     "fill-rule": ("nonzero", "evenodd"),
     "visibility": ("visible", "hidden", "collapse"),
+    "display": (
+        "none",
+        "inline",
+        "block",
+        "inline-block",
+        "list-item",
+        "contents",
+        "flow-root",
+        "flex",
+        "inline-flex",
+        "grid",
+        "inline-grid",
+        "table",
+        "inline-table",
+        "table-row",
+        "table-cell",
+        "table-row-group",
+        "table-header-group",
+        "table-footer-group",
+        "table-column",
+        "table-column-group",
+        "table-caption",
+        "ruby",
+        "math",
+    ),
     "overflow": ("visible", "hidden", "scroll", "auto", "clip"),
 }
 _PAINTS = ("fill", "stroke", "color", "stop-color")

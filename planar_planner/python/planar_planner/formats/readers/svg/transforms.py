@@ -13,7 +13,9 @@ from planar_planner.formats.readers.svg.style import Value, Values, word_of
 from planar_planner.formats.reading import require
 
 IDENTITY: Affine = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
-_FUNCTION = re.compile(r"\s*([A-Za-z][A-Za-z0-9]*)\s*\(([^()]*)\)\s*(?:,(?=\s*[A-Za-z]))?")
+_FUNCTION = re.compile(
+    r"\s*([A-Za-z][A-Za-z0-9]*)\s*\(([^()]*)\)\s*(?:,(?=\s*[A-Za-z]))?", re.ASCII
+)
 _COUNTS = {
     "matrix": (6,),
     "translate": (1, 2),
@@ -106,8 +108,8 @@ def _transform(value: Value, size: Size, place: str) -> Affine:
     text = value.text
     if text.lower() in ("", "none"):
         return IDENTITY
-    if value.css and re.search(r"\)\s*,", text):
-        raise SceneError("transform has a comma between functions", place, cut(text))
+    if value.css and re.search(r"\)\s*,|\s\(", text):
+        raise SceneError("transform has a comma or space that CSS does not allow", place, cut(text))
     result, position = IDENTITY, 0
     while match := _FUNCTION.match(text, position):
         position = match.end()

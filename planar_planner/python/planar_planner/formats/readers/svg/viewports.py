@@ -144,6 +144,9 @@ def _frame(
 ) -> tuple[float, float, float | None, float | None]:
     """Return x, y, width and height in the parent's user space; a symbol's x and y count, too."""
     del node
+    for name in ("x", "y", "width", "height"):
+        if name in values and values[name].css:
+            raise SceneError("has a frame in CSS, which viewers read differently", place)
     x, y = (
         parsed(values[name], outer.base(name), f"{place}, {name}") if name in values else 0.0
         for name in ("x", "y")
@@ -153,8 +156,6 @@ def _frame(
         value = values.get(name)
         if value is None or value.text.lower() == "auto":
             sides.append(outer.base(name))
-        elif value.css:
-            raise SceneError("has a size in CSS, which viewers read differently", place)
         else:
             sides.append(parsed(value, outer.base(name), f"{place}, {name}"))
     if any(side is not None and side < 0 for side in sides):

@@ -226,9 +226,11 @@ def _use(document: Document, node: Node, own: tuple[str, ...], inner: Context, p
     where = f"{cut(target.local_name)} {cut(name)!r}"
     framed = _within(document, target, names_of(target), inside, where)
     sides = {side: inner.values[side] for side in ("width", "height") if side in inner.values}
-    kept = {side: value for side, value in sides.items() if value.text.lower() != "auto"}
-    base = dict(framed.values)
-    _viewport(document, target, framed, where, {**base, **kept})
+    if any(value.text.lower() == "auto" for value in sides.values()):
+        raise SceneError("has a size that viewers read differently", place, "auto")
+    if target.local_name == "svg" and framed.matrix != inside.matrix:
+        raise SceneError("uses a transformed svg, which viewers read differently", place)
+    _viewport(document, target, framed, where, {**framed.values, **sides})
 
 
 def _offset(inner: Context, axis: str, place: str) -> float:
