@@ -255,3 +255,25 @@ def test_what_viewers_drop_or_read_differently_is_refused(
     with pytest.raises(SceneError) as raised:
         drawn(tmp_path, elements)
     assert problem in str(raised.value)
+
+
+def test_what_is_never_drawn_needs_no_role(tmp_path: Path) -> None:
+    """Files of Inkscape hold views, metadata and gradients beside the shapes."""
+    names = (
+        'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" '
+        'xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"'
+    )
+    text = svg(
+        '<sodipodi:namedview id="base"/><metadata id="m"/><desc id="d">t</desc>',
+        '<defs id="defs1"><linearGradient id="g1"><stop/></linearGradient></defs>',
+        '<rect id="part" width="3" height="2"/><g id="start"><circle cx="9"/></g>',
+        head=names,
+    )
+    scene = read(
+        tmp_path / "d.svg",
+        text,
+        roles=(("start", "start"), ("*", "obstacle")),
+        footprint="[[-1,-1],[1,-1],[1,1],[-1,1]]",
+        goal=[20.0, 0.0, 0.0],
+    )
+    assert boxes(scene) == [(0, 0, 3, 2)]
