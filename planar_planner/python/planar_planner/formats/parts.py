@@ -44,6 +44,8 @@ class ImportOptions:
         ``outwards``: a path holds for the curves too. ``inwards``: a proof of no path does.
     tolerance : float, optional
         Greatest distance of a flattened outline from its curve, in the file's unit.
+    join : float, optional
+        Ends of a drawing's lines up to this far apart are joined, in the file's unit.
     roles : tuple of (pattern, role)
         Roles of layers, ids, classes or labels; they come before the known names.
     allow_empty : bool
@@ -60,6 +62,7 @@ class ImportOptions:
     unknown: bool = False
     flatten: str = OUTWARDS
     tolerance: float | None = None
+    join: float | None = None
     roles: tuple[tuple[str, str], ...] = ()
     allow_empty: bool = False
     only_robot: bool = False

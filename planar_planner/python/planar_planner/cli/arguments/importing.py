@@ -72,6 +72,12 @@ def add_importing(command: argparse.ArgumentParser) -> None:
         help="greatest distance of an edge from its curve (default: a thousandth of the drawing)",
     )
     group.add_argument(
+        "--join",
+        metavar="LENGTH",
+        type=_length,
+        help="join ends of a drawing's lines that are this far apart (default: a millionth of it)",
+    )
+    group.add_argument(
         "--role",
         metavar="PATTERN=ROLE",
         type=_role,
@@ -94,6 +100,7 @@ def import_options(arguments: argparse.Namespace) -> ImportOptions:
         allow_empty=arguments.allow_empty,
         flatten=arguments.flatten,
         tolerance=arguments.tolerance,
+        join=arguments.join,
         roles=tuple(arguments.role),
     )
 
