@@ -23,9 +23,9 @@ from planar_planner.formats.outlines.figure import EVENODD, Figure
 from planar_planner.formats.outlines.nesting import Nesting, nested_figures
 from planar_planner.formats.outlines.strands import Run, Strand
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point
-from planar_planner.formats.readers import dxf_fills
-from planar_planner.formats.readers.dxf_blocks import IDENTITY, Placed, named, placed_entities
-from planar_planner.formats.readers.dxf_curves import run_of, xy
+from planar_planner.formats.readers.dxf import fills
+from planar_planner.formats.readers.dxf.blocks import IDENTITY, Placed, named, placed_entities
+from planar_planner.formats.readers.dxf.entities import run_of, xy
 from planar_planner.formats.reading import coordinate, require
 from planar_planner.formats.roles import role_of
 from planar_planner.scene.input_limits import MAX_COORDINATE, MIN_COORDINATE
@@ -146,18 +146,18 @@ def _take(item: Placed, role: str, content: _Content, notes: Notes) -> None:
         content.drawing.mark(role, mark_of(_mark_points(item)), place)
     elif kind == "POINT":
         notes.count("points ignored")
-    elif kind in dxf_fills.HATCHES:
-        runs = [[_mapped(run, item) for run in own] for own in dxf_fills.hatch_runs(entity, place)]
+    elif kind in fills.HATCHES:
+        runs = [[_mapped(run, item) for run in own] for own in fills.hatch_runs(entity, place)]
         content.hatches.append((role, place, runs))
-    elif kind in dxf_fills.SOLIDS:
-        _add_area(item, role, dxf_fills.solid(entity, place), content)
+    elif kind in fills.SOLIDS:
+        _add_area(item, role, fills.solid(entity, place), content)
         notes.count("solids read as areas")
-    elif role not in _AREAS and dxf_fills.has_width(entity, place):
-        for band in dxf_fills.bands(entity, place):
+    elif role not in _AREAS and fills.has_width(entity, place):
+        for band in fills.bands(entity, place):
             _add_area(item, role, band, content)
         notes.count("polylines with a width read as the bands that a viewer shows")
     else:
-        if dxf_fills.has_width(entity, place):
+        if fills.has_width(entity, place):
             notes.count("widths of polylines ignored")
         run = _mapped(run_of(entity, place), item)
         key = role, item.layer.lower()
@@ -216,8 +216,8 @@ def _drawing(content: _Content, options: ImportOptions, notes: Notes) -> Drawing
         if role in _AREAS and drawing.figures.get(role):
             notes.count("hatches in outlines ignored")
             continue
-        lengths = dxf_fills.Tracing(reach, tolerance, options.join)
-        figures = list(dxf_fills.hatch_figures(boundaries, place, lengths, notes))
+        lengths = fills.Tracing(reach, tolerance, options.join)
+        figures = list(fills.hatch_figures(boundaries, place, lengths, notes))
         notes.count("hatches read as filled areas" if figures else "hatches without area ignored")
         for figure in figures:
             drawing.add(role, figure)

@@ -15,7 +15,7 @@ from planar_planner.formats.outlines.figure import Figure
 from planar_planner.formats.outlines.nesting import Nesting, nested_figures
 from planar_planner.formats.outlines.strands import Run, Strand, Traced
 from planar_planner.formats.parts import Notes, Point
-from planar_planner.formats.readers.dxf_curves import (
+from planar_planner.formats.readers.dxf.entities import (
     Vertex,
     arc_of_bulge,
     bulged,
