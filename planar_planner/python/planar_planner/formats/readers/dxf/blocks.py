@@ -16,6 +16,8 @@ from planar_planner.formats.parts import Notes
 
 _MAX_DEPTH = 16  # depth of blocks in blocks
 _MAX_ENTITIES = 10**6
+_MAX_IN_BLOCKS = 2 * 10**5
+"""Entities that a file may multiply: each costs time, but the file no bytes."""
 _FLAT = 2.0**-40
 """Share of a map's size that its z components may have through rounding; a plane that is tilted by
 so little is the x–y plane."""
@@ -69,8 +71,12 @@ def placed_entities(document: Any, notes: Notes) -> Iterator[Placed]:
         insertion is tilted. Entities are counted before any block is taken apart.
     """
     space = document.modelspace()
-    if _count(space, {}, ()) > _MAX_ENTITIES:
-        raise SceneError(f"has more than {_MAX_ENTITIES} entities, blocks taken apart")
+    total = _count(space, {}, ())
+    if total > _MAX_ENTITIES or total - len(space) > _MAX_IN_BLOCKS:
+        raise SceneError(
+            f"has {total} entities with blocks taken apart; {_MAX_IN_BLOCKS} in blocks and "
+            f"{_MAX_ENTITIES} in all are the most"
+        )
     hidden = _hidden_layers(document)
     yield from _walk(space, Placed("0", None, IDENTITY, True, ""), 0, hidden, notes)
 
