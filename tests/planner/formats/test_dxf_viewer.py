@@ -101,9 +101,10 @@ def test_a_donut_is_a_ring(tmp_path: Path) -> None:
             [(-10, 0, 4, 4, 1), (10, 0, 4, 4, 1)], format="xyseb", close=True, dxfattribs=ON
         )
 
-    found = region(drawn(tmp_path, draw))
-    assert found.area == pytest.approx(math.pi * (144 - 64), abs=0.2)
-    assert not found.contains(shapely.Point(0, 0))
+    scene = drawn(tmp_path, draw)
+    assert region(scene).area == pytest.approx(math.pi * (144 - 64), abs=0.2)
+    assert not region(scene).contains(shapely.Point(0, 0))
+    assert any(note.endswith("shows, their insides free: 1") for note in scene.notes)
 
 
 @pytest.mark.parametrize("kind", ["fit", "periodic"])

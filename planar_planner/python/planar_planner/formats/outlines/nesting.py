@@ -12,6 +12,7 @@ from planar_planner.formats.outlines.curves import (
     control_points,
     first_point,
     flattened,
+    last_point,
     straight,
 )
 from planar_planner.formats.outlines.figure import EVENODD, Figure
@@ -139,7 +140,7 @@ def _with_corners(outline: Outline, corners: Sequence[Point], reach: float) -> O
     own = {first_point(piece) for piece in outline.pieces}
     pieces = []
     for piece in outline.pieces:
-        begin, end = ((x, y) for x, y, _ in piece)
+        begin, end = first_point(piece), last_point(piece)
         edge = shapely.LineString([begin, end])
         near = [
             p

@@ -25,7 +25,7 @@ from planar_planner.formats.outlines.strands import Run, Strand
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point
 from planar_planner.formats.readers.dxf import fills
 from planar_planner.formats.readers.dxf.blocks import IDENTITY, Placed, named, placed_entities
-from planar_planner.formats.readers.dxf.entities import run_of, xy
+from planar_planner.formats.readers.dxf.entities import run_of, vertices_of, xy
 from planar_planner.formats.reading import coordinate, require
 from planar_planner.formats.roles import role_of
 from planar_planner.scene.input_limits import MAX_COORDINATE, MIN_COORDINATE
@@ -155,7 +155,9 @@ def _take(item: Placed, role: str, content: _Content, notes: Notes) -> None:
     elif role not in _AREAS and fills.has_width(entity, place):
         for band in fills.bands(entity, place):
             _add_area(item, role, band, content)
-        notes.count("polylines with a width read as the bands that a viewer shows")
+        closed = "closed " if vertices_of(entity, place)[1] else ""
+        inside = ", their insides free" if closed else ""
+        notes.count(f"{closed}polylines with a width read as the bands that a viewer shows{inside}")
     else:
         if fills.has_width(entity, place):
             notes.count("widths of polylines ignored")
