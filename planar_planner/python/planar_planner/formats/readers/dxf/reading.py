@@ -152,14 +152,14 @@ def _take(item: Placed, role: str, content: _Content, notes: Notes) -> None:
     elif kind in fills.SOLIDS:
         _add_area(item, role, fills.solid(entity, place), content)
         notes.count("solids read as areas")
-    elif role not in _AREAS and fills.has_width(entity, place):
+    elif (wide := fills.has_width(entity, place)) and role not in _AREAS:
         for band in fills.bands(entity, place):
             _add_area(item, role, band, content)
         closed = "closed " if vertices_of(entity, place)[1] else ""
         inside = ", their insides free" if closed else ""
         notes.count(f"{closed}polylines with a width read as the bands that a viewer shows{inside}")
     else:
-        if fills.has_width(entity, place):
+        if wide:
             notes.count("widths of polylines ignored")
         run = _mapped(run_of(entity, place), item)
         key = role, item.layer.lower()
