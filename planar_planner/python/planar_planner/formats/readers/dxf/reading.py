@@ -111,7 +111,7 @@ def _content(entities: Iterable[Placed], options: ImportOptions, notes: Notes) -
             roles[item.layer] = role_of([item.layer], options.roles)
         role = roles[item.layer]
         if role is None:
-            notes.count("entities on layers without a role ignored")
+            notes.pass_over("entities on layers without a role ignored")
             nameless[item.layer] += 1
         elif role != "ignore":
             _take(item, role, content, notes)

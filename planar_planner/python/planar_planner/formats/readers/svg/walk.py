@@ -116,7 +116,7 @@ def _element(document: Document, node: Node, context: Context) -> None:
     role = document.role(own, context) if kind in SHAPES or kind in _NOT_READ else None
     if kind in SHAPES and role is None and not document.options.only_robot:
         if not context.left_out:
-            document.notes.count(_NO_ROLE)
+            document.notes.pass_over(_NO_ROLE, (*own, *context.names))
         return
     if kind in _NOT_READ and role in (None, "ignore"):
         return
