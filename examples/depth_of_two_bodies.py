@@ -21,5 +21,5 @@ print(f"{pushed.state}: {pushed.depth:.2f} without turning")
 
 lower = pdg.generalized_depth_lower_bound(bar, walls, pose)
 upper = pdg.generalized_depth_upper_bound(bar, walls, pose)
-print(f"with turning between {lower.depth:.3f} and {upper.displacement:.3f}")
-print("free at ({:.2f}, {:.2f}, {:.2f})".format(*upper.displaced.pose))
+print(f"with turning between {lower.lower:.3f} and {upper.upper:.3f}")
+print("free at ({:.2f}, {:.2f}, {:.2f})".format(*upper.placement.pose))

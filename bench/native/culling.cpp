@@ -159,9 +159,9 @@ void report(World& world, const std::vector<Seen>& cells, const Arguments& argum
 
 void run(const Arguments& arguments) {
   Task task = read_task(std::cin);
-  planner::Parts parts;
-  parts.partition = !arguments.cover;
-  World world(task.scene, parts, task.start.theta);
+  planner::Ablation ablation;
+  ablation.partition = !arguments.cover;
+  World world(task.scene, ablation, task.start.theta);
   const std::vector<Seen> cells = arguments.search
                                       ? walk_search(world, task, arguments.limits)
                                       : walk_levels(world, arguments.driver, arguments.limits);

@@ -79,10 +79,10 @@ bool obstructed_by_single(World& world, const pdg::Motion& motion, planner::Pose
 
 }  // namespace
 
-World::World(planner::Scene scene, const planner::Parts& parts, const double fixed_theta)
-    : problem(planner::make_problem(std::move(scene), parts)),
-      tree(problem.scene.obstacles, problem.frame, problem.walls, parts.partition),
-      labeller(problem.robot, tree, statistics, parts),
+World::World(planner::Problem scene, const planner::Ablation& parts, const double fixed_theta)
+    : problem(planner::make_scaled_problem(std::move(scene), ablation)),
+      tree(all_obstacles(problem), problem.frame, problem.walls, ablation.partition),
+      labeller(problem.robot, tree, statistics, ablation),
       posed(problem.robot),
       space{problem.domain, problem.rotation, fixed_theta} {}
 

@@ -13,7 +13,7 @@
 
 #include "planar_planner/native/configurations/dyadic_box.hpp"
 #include "planar_planner/native/labels/classify.hpp"
-#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 
 namespace bench {
 
@@ -25,7 +25,7 @@ inline constexpr std::array<const char*, kQueries> kQueryNames{
 
 // The planner's parts, put together by hand.
 struct World {
-  World(planner::Scene scene, const planner::Parts& parts, double fixed_theta);
+  World(planner::Problem scene, const planner::Ablation& parts, double fixed_theta);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
@@ -35,7 +35,7 @@ struct World {
     return posed;
   }
 
-  planner::Problem problem;
+  planner::ScaledProblem problem;
   planner::ObstacleTree tree;
   planner::Statistics statistics;
   planner::Labeller labeller;

@@ -3,12 +3,12 @@
 
 #include <iosfwd>
 
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/problem.hpp"
 
 namespace bench {
 
 struct Task {
-  planner::Scene scene;
+  planner::Problem scene;
   planner::Configuration start, goal;
 };
 

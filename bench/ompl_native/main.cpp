@@ -1,6 +1,7 @@
-// One run of one of OMPL's planners on a dumped problem (bench/parts/ompl/driver.py), with the core's
-// state check called directly: ompl_native FILE PLANNER SEED LIMIT RESOLUTION prints one JSON line.
-// Preparation and solve are timed apart, the clock running on from the first to the second.
+// One run of one of OMPL's planners on a dumped problem (bench/parts/ompl/driver.py), with the
+// core's state check called directly: ompl_native FILE PLANNER SEED LIMIT RESOLUTION prints one
+// JSON line. Preparation and solve are timed apart, the clock running on from the first to the
+// second.
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
@@ -28,7 +29,7 @@
 #include <vector>
 
 #include "planar_planner/native/paths/state_check.hpp"
-#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 
 namespace {
 
@@ -43,7 +44,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kWarmUp = 0.05;
 
 struct Query {
-  planner::Scene scene;
+  planner::Problem scene;
   Configuration start, goal;
 };
 
@@ -86,7 +87,7 @@ Query read_query(const std::string& file) {
   std::ifstream in(file);
   if (!in) throw std::runtime_error("cannot open " + file);
   Query query;
-  planner::Scene& scene = query.scene;
+  planner::Problem& scene = query.scene;
   scene.rotation = next<int>(in) != 0;
   query.start = read_configuration(in);
   query.goal = read_configuration(in);
@@ -184,7 +185,7 @@ Attempt attempt(Query query, const std::string& name, const double limit, const 
   const States states{query.scene.rotation, query.start.theta};
   made.states = states;
   const Clock::time_point begin = Clock::now();
-  made.check = std::make_unique<StateCheck>(planner::make_problem(std::move(query.scene)));
+  made.check = std::make_unique<StateCheck>(planner::make_scaled_problem(std::move(query.scene)));
   StateCheck& check = *made.check;
   const auto information =
       std::make_shared<ob::SpaceInformation>(make_space(check, states.turning));

@@ -1,5 +1,6 @@
-// What the planner is made of. All of it is used; benchmarks leave single parts out to measure what
-// each is worth. Every combination answers soundly; without some, fewer questions are decided.
+// The parts that the planner is made of. All of it is used; benchmarks leave single parts out to
+// measure what each is worth. Every combination answers soundly; without some, fewer questions are
+// decided.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +31,7 @@ namespace planner {
 enum class CullingQuery : std::uint8_t { PLANNER_CULLING_QUERIES(PLANNER_ENUMERATOR) };
 #undef PLANNER_ENUMERATOR
 
-struct Parts {
+struct Ablation {
   CullingQuery query = CullingQuery::kPerNormal;
 #define PLANNER_PART(name) bool name = true;
   PLANNER_PARTS(PLANNER_PART)

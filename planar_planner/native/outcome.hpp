@@ -23,18 +23,19 @@ enum class Verdict : std::uint8_t { kPath, kNoPath, kUndecided };
   X(kGoal, GOAL, "goal")                           /* no path: the goal is not free */
 
 // A limit has the name of the option that sets it.
-#define PLANNER_STOP_REASON(X)                                                        \
-  X(kResolution, RESOLUTION, "resolution")                                            \
-  X(kMaxCells, MAX_CELLS, "max_cells")                                                \
-  X(kMaxMemory, MAX_MEMORY, "max_memory")                                             \
-  X(kTimeout, TIMEOUT, "timeout")                                                     \
-  X(kInterrupted, INTERRUPTED, "interrupted")     /* by the listener, or by Ctrl-C */ \
-  X(kOutOfMemory, OUT_OF_MEMORY, "out_of_memory") /* an allocation failed */          \
-  X(kStartTouchesObstacle, START_TOUCHES_OBSTACLE, "start_touches_obstacle")          \
-  X(kStartTouchesWorkspace, START_TOUCHES_WORKSPACE, "start_touches_workspace")       \
-  X(kGoalTouchesObstacle, GOAL_TOUCHES_OBSTACLE, "goal_touches_obstacle")             \
-  X(kGoalTouchesWorkspace, GOAL_TOUCHES_WORKSPACE, "goal_touches_workspace")          \
-  X(kMovedEnds, MOVED_ENDS, "moved_ends")       /* no path, but between moved ends */ \
+#define PLANNER_STOP_REASON(X)                                                          \
+  X(kResolution, RESOLUTION, "resolution")                                              \
+  X(kMaxCells, MAX_CELLS, "max_cells")                                                  \
+  X(kMaxMemory, MAX_MEMORY, "max_memory")                                               \
+  X(kTimeout, TIMEOUT, "timeout")                                                       \
+  X(kInterrupted, INTERRUPTED, "interrupted")     /* by the listener, or by Ctrl-C */   \
+  X(kOutOfMemory, OUT_OF_MEMORY, "out_of_memory") /* an allocation failed */            \
+  X(kStartTouchesObstacle, START_TOUCHES_OBSTACLE, "start_touches_obstacle")            \
+  X(kStartTouchesWorkspace, START_TOUCHES_WORKSPACE, "start_touches_workspace")         \
+  X(kGoalTouchesObstacle, GOAL_TOUCHES_OBSTACLE, "goal_touches_obstacle")               \
+  X(kGoalTouchesWorkspace, GOAL_TOUCHES_WORKSPACE, "goal_touches_workspace")            \
+  X(kMovedEnds, MOVED_ENDS, "moved_ends")       /* no path, but between moved ends */   \
+  X(kNoEvidence, NO_EVIDENCE, "no_evidence")    /* a path with room of rounding only */ \
   X(kLostChannel, LOST_CHANNEL, "lost_channel") /* a defect of the search */
 
 #define PLANNER_ENUMERATOR(enumerator, name, word) enumerator,

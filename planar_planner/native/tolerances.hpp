@@ -12,8 +12,8 @@
 
 namespace planner {
 
-// Error of a pose's angle that was interpolated between two others, in units of u max |theta|:
-// interpolation 5, waypoints' own rounding 1.4.
+// Error of a configuration's angle that was interpolated between two others, in units of u max
+// |theta|: interpolation 5, waypoints' own rounding 1.4.
 inline constexpr double kPoseAngleUnits = 8.0 * PDG_MARGIN_SCALE;
 
 // A guard condition of the star test: at most 84 u (A + B + T) (of T; 26 of A, 32 of B), that is

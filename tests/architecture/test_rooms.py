@@ -29,7 +29,9 @@ from architecture.import_graph import (
 PYTHON_ROOMS = (
     "pdg._core",
     "pdg.errors",
-    "pdg._constants",
+    "pdg.stop_reason",
+    "pdg.tolerances",
+    "pdg.aliases",
     "pdg._gate",
     "pdg.bodies",
     "pdg.depths",
@@ -100,6 +102,7 @@ MOST_FILES = 16
 
 SLOW_TO_IMPORT = (
     "PIL",
+    "cssselect2",
     "ezdxf",
     "imageio_ffmpeg",
     "matplotlib",
@@ -112,6 +115,7 @@ SLOW_TO_IMPORT = (
     "rich",
     "shapely",
     "svgpathtools",
+    "tinycss2",
     "yaml",
 )
 

@@ -152,7 +152,7 @@ int main() {
   for (std::size_t scenes = count(); scenes > 0; --scenes) {
     char name[256];
     if (std::scanf("%255s", name) != 1) fail("name");
-    planner::Scene scene;
+    planner::Problem scene;
     scene.rotation = count() == 1;
     scene.robot = polygons();
     scene.obstacles = polygons();

@@ -14,7 +14,7 @@
 #include "pdg/native/pieces/decompose.hpp"
 #include "planar_planner/native/cells/subdivision.hpp"
 #include "planar_planner/native/labels/label.hpp"
-#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 #include "random_polygons.hpp"
 
 namespace worlds {
@@ -66,8 +66,8 @@ inline pdg::Polygon random_shape(Random& random, const Recipe& recipe, const dou
   return {{std::move(ring)}};
 }
 
-inline planner::Scene random_scene(Random& random, const Recipe& recipe) {
-  planner::Scene scene;
+inline planner::Problem random_scene(Random& random, const Recipe& recipe) {
+  planner::Problem scene;
   const double far_angle = uniform(random, 0.0, 6.0);
   const Vec2 origin{recipe.far * std::cos(far_angle), recipe.far * std::sin(far_angle)};
   const double off_angle = uniform(random, 0.0, 6.0);
@@ -158,18 +158,17 @@ inline Real edge_distance(const RealRing& edges, const RealRing& points) {
 // overlap.
 class Oracle {
  public:
-  explicit Oracle(const planner::Problem& problem) : frame_(problem.frame) {
-    const auto add = [&](const planner::PolygonSet& set, const pdg::Frame& frame,
-                         std::vector<RealRing>& out) {
+  explicit Oracle(const planner::ScaledProblem& problem) : frame_(problem.frame) {
+    const auto add = [&](const auto& set, const pdg::Frame& frame, std::vector<RealRing>& out) {
       for (std::size_t i = 0; i < set.size(); ++i)
         for (const pdg::ConvexPolygon& piece : pdg::convex_partition(set.polygon(i)))
           out.push_back(framed(piece, frame));
     };
-    add(problem.scene.robot, {{}, frame_.exponent}, robot_);
-    add(problem.scene.obstacles, frame_, obstacles_);
-    if (problem.scene.box) {
-      low_ = framed(problem.scene.box->low, frame_);
-      high_ = framed(problem.scene.box->high, frame_);
+    add(problem.given.robot, {{}, frame_.exponent}, robot_);
+    add(all_obstacles(problem), frame_, obstacles_);
+    if (problem.given.box) {
+      low_ = framed(problem.given.box->low, frame_);
+      high_ = framed(problem.given.box->high, frame_);
       walled_ = true;
     }
   }
@@ -225,9 +224,9 @@ class Oracle {
 
 // The parts of a planner, put together by hand.
 struct World {
-  explicit World(planner::Scene scene, const double theta = 0.0)
-      : problem(planner::make_problem(std::move(scene))),
-        tree(problem.scene.obstacles, problem.frame, problem.walls),
+  explicit World(planner::Problem scene, const double theta = 0.0)
+      : problem(planner::make_scaled_problem(std::move(scene))),
+        tree(all_obstacles(problem), problem.frame, problem.walls),
         labeller(problem.robot, tree, statistics),
         posed(problem.robot),
         oracle(problem),
@@ -241,7 +240,7 @@ struct World {
     return posed;
   }
 
-  planner::Problem problem;
+  planner::ScaledProblem problem;
   planner::ObstacleTree tree;
   planner::Statistics statistics;
   planner::Labeller labeller;

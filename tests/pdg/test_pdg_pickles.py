@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pdg_shapes import blob
 
 import pdg
 from pdg import grasp, sets
+from worlds.bodies.random_bodies import blob
 
 POSE = (0.4, -0.3, 0.7)
 POSES = [POSE, (9.0, 9.0, 0.0), (0.0, 0.0, 3.0)]

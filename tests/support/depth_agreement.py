@@ -56,9 +56,8 @@ def measure(family: str, seed: int, pairs: int, *, every: int = 1) -> Deviation:
     states = done = 0
     while done < pairs:
         a, b, poses = FAMILIES[family](random)
-        for row, (pose, got) in enumerate(
-            zip(poses, pdg.translational_depth(a, b, poses), strict=True)
-        ):
+        found = pdg.translational_depth(a, b, list(poses))
+        for row, (pose, got) in enumerate(zip(poses, found, strict=True)):
             moved = placed(a, pose)
             truth = exact_depth(moved, b)
             done += 1

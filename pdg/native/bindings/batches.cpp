@@ -63,8 +63,8 @@ IndexPairs to_pairs(std::vector<std::int32_t>&& pairs) {
 auto translational_depths(const pdg::PieceSet& a, const pdg::PieceSet& b, const Poses& poses) {
   DepthColumns columns(poses.shape(0));
   const bool convex = a.polygons.size() == 1 && b.polygons.size() == 1;
-  const pdg::Outline fixed = convex ? pdg::make_outline(b.polygons[0]) : pdg::Outline{};
-  pdg::Outline moved;
+  const pdg::PlacedOutline fixed = convex ? pdg::make_outline(b.polygons[0]) : pdg::PlacedOutline{};
+  pdg::PlacedOutline moved;
   const std::int64_t bad = for_each_row(poses.shape(0), [&](const std::size_t row) {
     const pdg::Pose pose = pose_of(poses, row);
     columns.set(row, convex ? pdg::translational_depth(a.polygons[0], pose, fixed, moved)

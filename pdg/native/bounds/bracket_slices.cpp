@@ -13,7 +13,7 @@
 namespace pdg {
 namespace {
 
-// By how many slice errors the obstacle is grown, in turn, until a pose is free.
+// The obstacle is grown by so many slice errors, in turn, until a pose is free. Chosen, not tuned.
 constexpr std::array<double, 6> kGrowths{0.0, 1.0, 4.0, 16.0, 64.0, 256.0};
 
 void grow(ObstacleSlice& slice, const double by) {

@@ -48,7 +48,7 @@ class BracketSlices {
   // (less than pi / 2) of delta. Rigorous: holds for the exact geometry of the doubles given.
   double lower_bound(double delta, double half, double cutoff);
 
-  // Of A's circle, rounded up.
+  // The radius of A's circle, rounded up.
   [[nodiscard]] double radius() const { return circle_.outer; }
   // Rounding error of the last slice (length).
   [[nodiscard]] double error() const { return slice_.error; }

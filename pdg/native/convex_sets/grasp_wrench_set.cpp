@@ -54,8 +54,9 @@ std::vector<double> magnitude_of(const ContactWrenches& w, const ForceNorm norm)
   return over_contacts(w, norm, [&](const std::size_t k) { return contact_magnitude(w, k); });
 }
 
-// Of each contact's ellipsoid, and of the sum over contacts. A wrong choice between contacts, or
-// between a contact and the origin, still gives a point of the set, and a value off by no more.
+// The rounding error of each contact's ellipsoid, and of the sum over contacts. A wrong choice
+// between contacts, or between a contact and the origin, still gives a point of the set, and a
+// value off by no more.
 std::vector<double> error_of(const ContactWrenches& w, const ForceNorm norm) {
   std::vector<double> error = over_contacts(w, norm, [&](const std::size_t k) {
     return rounding_error(contact_magnitude(w, k), w.dimension + w.axes);

@@ -48,7 +48,7 @@ DepthLowerBound generalized_depth_lower_bound(const PieceSet& a, const PieceSet&
   find_deepest(a, b, scratch);
   DepthLowerBound best;
   for (const Candidate& candidate : scratch.candidates) {
-    // Of polygons that just overlap, rounding may leave a depth of 0.
+    // Rounding may leave a depth of 0 between polygons that just overlap.
     const double beaten = best.piece_a >= 0 ? best.depth : -scratch.placed.error;
     take_piece(scratch.placed, candidate.piece_a, scratch.piece);
     const auto pair = overlap_deeper_than(scratch.piece, b.polygons[candidate.piece_b], beaten);

@@ -95,7 +95,7 @@ TranslationalDepth way_out(const std::vector<ConvexPolygon>& a, const PieceSet& 
 
 TranslationalDepth translational_depth(const PieceSet& a, const PieceSet& b, const Pose& pose) {
   if (a.polygons.size() == 1 && b.polygons.size() == 1) {
-    Outline moved;
+    PlacedOutline moved;
     return translational_depth(a.polygons[0], pose, make_outline(b.polygons[0]), moved);
   }
   std::vector<ConvexPolygon> moved;

@@ -12,7 +12,7 @@
 namespace pdg {
 namespace {
 
-// Where squares neither over- nor underflow.
+// A square in this range has neither overflowed nor underflowed.
 constexpr double kLeastSquare = 0x1p-900;
 constexpr double kLargestSquare = 0x1p900;
 
@@ -37,7 +37,7 @@ bool is_strictly_convex(const ConvexPolygon& ring) {
   return n >= 3 && changes == 2;
 }
 
-void finish(Outline& outline) {
+void finish(PlacedOutline& outline) {
   const ConvexPolygon& ring = outline.vertices;
   if (!std::all_of(ring.begin(), ring.end(), in_exact_range))
     throw std::invalid_argument("coordinate outside the range of exact arithmetic");
@@ -55,14 +55,14 @@ Vec2 edge_normal(const Vec2 u, const Vec2 v) {
   return {along.y / l, -(along.x / l)};
 }
 
-Outline make_outline(ConvexPolygon polygon) {
-  Outline outline;
+PlacedOutline make_outline(ConvexPolygon polygon) {
+  PlacedOutline outline;
   outline.vertices = std::move(polygon);
   finish(outline);
   return outline;
 }
 
-void place_outline(const ConvexPolygon& polygon, const Pose& pose, Outline& out) {
+void place_outline(const ConvexPolygon& polygon, const Pose& pose, PlacedOutline& out) {
   const Rotation rotation = rotation_of(pose.theta);
   out.vertices.clear();
   for (const Vec2 v : polygon) out.vertices.push_back(rotate(rotation, v) + pose.t);

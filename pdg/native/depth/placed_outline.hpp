@@ -11,19 +11,19 @@
 namespace pdg {
 
 // Strictly convex, counter-clockwise. Edge k runs from vertex k to vertex k + 1 (cyclic).
-struct Outline {
+struct PlacedOutline {
   ConvexPolygon vertices;
   std::vector<Vec2> normals;  // outward, unit length up to 4 u, of the vertices as they are here
   Box box;                    // of the vertices, exactly
 };
 
 // Throws std::invalid_argument for a coordinate outside the range of predicates.hpp.
-Outline make_outline(ConvexPolygon polygon);
+PlacedOutline make_outline(ConvexPolygon polygon);
 
 // The outline of the convex hull of the polygon's vertices as placed in doubles: rounding may turn
 // slivers inside out, and the hull is what they then are, if need be a segment or a point (whose
 // one edge has no normal). Reuses the memory of `out`. Throws as above.
-void place_outline(const ConvexPolygon& polygon, const Pose& pose, Outline& out);
+void place_outline(const ConvexPolygon& polygon, const Pose& pose, PlacedOutline& out);
 
 // What place_outline says of slivers, for a polygon that is placed already.
 void restore_convexity(ConvexPolygon& placed);

@@ -27,8 +27,9 @@ NearestPoints nearest_on_edge(const Vec2 w, const Vec2 u, const Vec2 v) {
 
 // Tries the vertices of one polygon against the edges of the other, plainly first, each distance
 // off by `error`.
-void try_vertices(const Outline& vertices, const Outline& edges, const bool vertices_of_a,
-                  const double error, double& least, NearestPoints& best) {
+void try_vertices(const PlacedOutline& vertices, const PlacedOutline& edges,
+                  const bool vertices_of_a, const double error, double& least,
+                  NearestPoints& best) {
   const bool point = edges.vertices.size() == 1;  // its edge has no side
   for (std::size_t k = 0; k < edges.vertices.size(); ++k) {
     const Vec2 u = edges.vertices[k];
@@ -53,7 +54,7 @@ void try_vertices(const Outline& vertices, const Outline& edges, const bool vert
   }
 }
 
-Vec2 farthest_along(const Outline& outline, const Vec2 direction) {
+Vec2 farthest_along(const PlacedOutline& outline, const Vec2 direction) {
   Vec2 best = outline.vertices.front();
   for (const Vec2 v : outline.vertices)
     if (dot(direction, v) > dot(direction, best)) best = v;
@@ -68,7 +69,7 @@ Vec2 closest_on_segment(const Vec2 p, const Vec2 u, const Vec2 v) {
   return u + std::clamp(t, 0.0, 1.0) * along;
 }
 
-NearestPoints polygon_distance(const Outline& a, const Outline& b) {
+NearestPoints polygon_distance(const PlacedOutline& a, const PlacedOutline& b) {
   const Box both = joined(a.box, b.box);
   const Vec2 extent = both.high - both.low;
   const double error = kGapErrorUnits * kUnitRoundoff * (extent.x + extent.y);

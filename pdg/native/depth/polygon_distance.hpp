@@ -19,7 +19,7 @@ struct NearestPoints {
 
 // distance and away have a relative error of kRelativeDepthErrorUnits u, however small they are.
 // The polygons' interiors are disjoint.
-NearestPoints polygon_distance(const Outline& a, const Outline& b);
+NearestPoints polygon_distance(const PlacedOutline& a, const PlacedOutline& b);
 
 // The point of the segment u v next to p, in plain doubles.
 Vec2 closest_on_segment(Vec2 p, Vec2 u, Vec2 v);

@@ -38,7 +38,8 @@ std::optional<PairState> judge_edge(const Vec2 u, const Vec2 v, const ConvexPoly
   return meet ? PairState::kTouching : PairState::kApart;
 }
 
-// Of one polygon's edge: the other's vertex that is deepest behind it, or least far before it.
+// One polygon's edge, and the other polygon's vertex that is deepest behind it or least far before
+// it.
 struct Axis {
   double separation = kInfinity;  // plain separating-axis function
   std::size_t deepest = 0;
@@ -46,7 +47,7 @@ struct Axis {
 
 // Stops early, with a value that is too large, once that is below `enough`. Begins with the vertex
 // `start`: what is deepest behind one edge is most often deep behind the next.
-Axis axis_of_edge(const Outline& owner, const std::size_t edge, const Outline& other,
+Axis axis_of_edge(const PlacedOutline& owner, const std::size_t edge, const PlacedOutline& other,
                   const std::size_t start, const double enough) {
   const Vec2 u = owner.vertices[edge];
   const Vec2 normal = owner.normals[edge];
@@ -62,7 +63,7 @@ Axis axis_of_edge(const Outline& owner, const std::size_t edge, const Outline& o
 }
 
 // The edge that faces the other polygon most: a good first guess of the greatest function.
-std::size_t facing_edge(const Outline& owner, const Vec2 towards) {
+std::size_t facing_edge(const PlacedOutline& owner, const Vec2 towards) {
   std::size_t best = 0;
   for (std::size_t k = 1; k < owner.normals.size(); ++k)
     if (dot(owner.normals[k], towards) > dot(owner.normals[best], towards)) best = k;
@@ -71,7 +72,7 @@ std::size_t facing_edge(const Outline& owner, const Vec2 towards) {
 
 // Raises `separation` to the greatest plain function of the owner's edges; stops at one above
 // `enough`.
-void raise_separation(const Outline& owner, const Outline& other, const Vec2 towards,
+void raise_separation(const PlacedOutline& owner, const PlacedOutline& other, const Vec2 towards,
                       const double enough, double& separation) {
   const std::size_t n = owner.vertices.size();
   if (n == 1) return;  // a point has no axis of its own
@@ -94,7 +95,7 @@ struct Escape {
   Vec2 deepest;  // the other's vertex that is deepest behind the edge
 };
 
-void try_edges(const Outline& owner, const Outline& other, const bool owner_is_b,
+void try_edges(const PlacedOutline& owner, const PlacedOutline& other, const bool owner_is_b,
                const double separation, const double error, Escape& best) {
   const std::size_t n = owner.vertices.size();
   if (n == 1) return;
@@ -118,7 +119,7 @@ void try_edges(const Outline& owner, const Outline& other, const bool owner_is_b
   }
 }
 
-Escape shortest_escape(const Outline& a, const Outline& b, const double separation,
+Escape shortest_escape(const PlacedOutline& a, const PlacedOutline& b, const double separation,
                        const double error) {
   Escape escape;
   try_edges(b, a, true, separation, error, escape);
@@ -126,17 +127,17 @@ Escape shortest_escape(const Outline& a, const Outline& b, const double separati
   return escape;
 }
 
-Vec2 unit_normal(const Outline& outline, const std::size_t edge) {
+Vec2 unit_normal(const PlacedOutline& outline, const std::size_t edge) {
   return edge_normal(outline.vertices[edge], next_vertex(outline.vertices, edge));
 }
 
 // PD^t = - max over all separating-axis functions s; the direction is that function's normal.
-TranslationalDepth along_escape(const Outline& a, const Outline& b, const double separation,
-                                const double error) {
+TranslationalDepth along_escape(const PlacedOutline& a, const PlacedOutline& b,
+                                const double separation, const double error) {
   const Escape escape = shortest_escape(a, b, separation, error);
   TranslationalDepth result;
   result.depth = escape.depth;
-  const Outline& owner = escape.edge_of_b ? b : a;
+  const PlacedOutline& owner = escape.edge_of_b ? b : a;
   const Vec2 u = owner.vertices[escape.edge];
   const Vec2 v = next_vertex(owner.vertices, escape.edge);
   const Vec2 normal = unit_normal(owner, escape.edge);
@@ -150,7 +151,7 @@ TranslationalDepth along_escape(const Outline& a, const Outline& b, const double
 }
 
 // Disjoint interiors: the nearest points.
-TranslationalDepth along_gap(const Outline& a, const Outline& b) {
+TranslationalDepth along_gap(const PlacedOutline& a, const PlacedOutline& b) {
   const NearestPoints nearest = polygon_distance(a, b);
   TranslationalDepth result;
   result.depth = -nearest.distance;
@@ -160,14 +161,14 @@ TranslationalDepth along_gap(const Outline& a, const Outline& b) {
   return result;
 }
 
-double axis_error(const Outline& a, const Outline& b) {
+double axis_error(const PlacedOutline& a, const PlacedOutline& b) {
   const Box both = joined(a.box, b.box);
   const Vec2 extent = both.high - both.low;
   return kAxisErrorUnits * kUnitRoundoff * (extent.x + extent.y);
 }
 
-// In plain doubles; any value above `enough` stands for one.
-double greatest_separation(const Outline& a, const Outline& b, const double enough) {
+// Computed in plain doubles; any value above `enough` stands for the greatest.
+double greatest_separation(const PlacedOutline& a, const PlacedOutline& b, const double enough) {
   const Vec2 towards_a = centre(a.box) - centre(b.box);
   double separation = -kInfinity;
   raise_separation(b, a, towards_a, enough, separation);
@@ -192,7 +193,7 @@ TranslationalDepth translational_depth(const ConvexPolygon& a, const ConvexPolyg
   return translational_depth(make_outline(a), make_outline(b));
 }
 
-TranslationalDepth translational_depth(const Outline& a, const Outline& b) {
+TranslationalDepth translational_depth(const PlacedOutline& a, const PlacedOutline& b) {
   const double error = axis_error(a, b);
   const double separation = greatest_separation(a, b, error);
   PairState state = PairState::kApart;
@@ -215,8 +216,8 @@ TranslationalDepth translational_depth(const Outline& a, const Outline& b) {
 std::optional<TranslationalDepth> overlap_deeper_than(const ConvexPolygon& polygon_a,
                                                       const ConvexPolygon& polygon_b,
                                                       const double depth) {
-  const Outline a = make_outline(polygon_a);
-  const Outline b = make_outline(polygon_b);
+  const PlacedOutline a = make_outline(polygon_a);
+  const PlacedOutline b = make_outline(polygon_b);
   const double enough = axis_error(a, b) - depth;
   if (greatest_separation(a, b, enough) > enough) return std::nullopt;
   const TranslationalDepth result = translational_depth(a, b);
@@ -231,8 +232,8 @@ bool overlap_exactly(const ConvexPolygon& a, const ConvexPolygon& b) {
   return pair_state(a, b) == PairState::kOverlap;
 }
 
-TranslationalDepth translational_depth(const ConvexPolygon& a, const Pose& pose, const Outline& b,
-                                       Outline& moved) {
+TranslationalDepth translational_depth(const ConvexPolygon& a, const Pose& pose,
+                                       const PlacedOutline& b, PlacedOutline& moved) {
   place_outline(a, pose, moved);
   return translational_depth(moved, b);
 }

@@ -30,11 +30,11 @@ struct TranslationalDepth {
 // Both strictly convex (or what place_outline leaves), counter-clockwise, in the same frame. Throws
 // std::invalid_argument for a coordinate outside the range of predicates.hpp.
 TranslationalDepth translational_depth(const ConvexPolygon& a, const ConvexPolygon& b);
-TranslationalDepth translational_depth(const Outline& a, const Outline& b);
+TranslationalDepth translational_depth(const PlacedOutline& a, const PlacedOutline& b);
 
 // The hull of a's vertices as placed, against b; `moved` is working memory.
-TranslationalDepth translational_depth(const ConvexPolygon& a, const Pose& pose, const Outline& b,
-                                       Outline& moved);
+TranslationalDepth translational_depth(const ConvexPolygon& a, const Pose& pose,
+                                       const PlacedOutline& b, PlacedOutline& moved);
 
 // The same for polygons that overlap by more than `depth` (in the doubles of translational_depth);
 // else nothing, which is found out sooner. With the same exception.

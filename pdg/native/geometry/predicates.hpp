@@ -26,7 +26,7 @@ int orient2d_exact(Vec2 a, Vec2 b, Vec2 c);
 // Sign of twice the signed area of the triangle (a, b, c): +1 when c is strictly left of the
 // directed line a -> b, 0 when the three are exactly collinear, -1 when c is strictly right.
 // True of the exact doubles given.
-// By a floating-point filter in most cases, else by exact expansion arithmetic.
+// Decided by a floating-point filter in most cases, else by exact expansion arithmetic.
 inline int orient2d(const Vec2 a, const Vec2 b, const Vec2 c) {
   const double left = (a.x - c.x) * (b.y - c.y);
   const double right = (a.y - c.y) * (b.x - c.x);

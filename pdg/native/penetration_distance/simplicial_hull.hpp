@@ -92,7 +92,7 @@ class SimplicialHull {
   std::vector<std::uint8_t> alive_;
   std::vector<std::uint32_t> generation_;
   std::vector<Id> free_;
-  // Of the addition under way:
+  // State of the addition that is under way:
   std::vector<std::uint32_t> visit_;  // the addition that last asked the facet
   std::uint32_t round_ = 0;
   std::vector<double> heights_;

@@ -11,7 +11,8 @@
 
 namespace pdg {
 
-// A configuration: A(q) = R(theta) A + t, theta in radians about the frame origin.
+// A rigid placement of a body, the configuration q of [PDG]: A(q) = R(theta) A + t, theta in
+// radians about the frame origin.
 struct Pose {
   Vec2 t;
   double theta = 0.0;

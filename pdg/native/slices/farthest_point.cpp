@@ -14,7 +14,7 @@ struct Parabola {
   double slope = 0.0;
   double rest = 0.0;
 
-  // Without the common s^2.
+  // The value without the common s^2.
   [[nodiscard]] double at(const double s) const { return 2.0 * slope * s + rest; }
 };
 

@@ -1,7 +1,7 @@
 // The C-obstacle at one angle as a union of open convex polygons, and the least value of a convex
 // function of the translation outside it.
 //
-// Of regular bodies A = union of A_i and B = union of B_j the interiors meet iff those of some A_i
+// The interiors of regular bodies A = union of A_i and B = union of B_j meet iff those of some A_i
 // and B_j do: what two open sets have in common is open and not covered by the pieces' edges. So
 // the obstacle is exactly the union of the open polygons B_j + (-A_i), and edges that pieces share
 // leave no seam: on the line where two sums abut lies the inside of a third.

@@ -25,7 +25,7 @@ void close_piece(SlicePieces& pieces) {
   pieces.first.push_back(static_cast<std::uint32_t>(pieces.vertices.size()));
 }
 
-// Of a point, any direction: its half-plane bounds B_j + (-A_i) too.
+// A point has no edge: any direction will do, because its half-plane bounds B_j + (-A_i) too.
 Vec2 outward_normal(const Vec2 u, const Vec2 v) {
   if (u == v) return {1.0, 0.0};
   const double length = std::hypot(v.x - u.x, v.y - u.y);

@@ -1,4 +1,4 @@
-// In which order to insert points, so that triangulating them takes O(n log n) expected time.
+// An order of inserting points with which triangulating them takes O(n log n) expected time.
 #pragma once
 
 #include <vector>

@@ -71,7 +71,7 @@ NamedCollision collision_of(const Evidence& e, const std::uint32_t obstacle,
   return out;
 }
 
-NamedTerm term_of(const planner::Problem& problem, const Evidence& e,
+NamedTerm term_of(const planner::ScaledProblem& problem, const Evidence& e,
                   const planner::JointTerm& term) {
   NamedTerm out;
   out.of = collision_of(e, term.obstacle, term.robot);
@@ -86,7 +86,7 @@ NamedTerm term_of(const planner::Problem& problem, const Evidence& e,
   return out;
 }
 
-NamedJoint joint_of(const planner::Problem& problem, const Evidence& e,
+NamedJoint joint_of(const planner::ScaledProblem& problem, const Evidence& e,
                     const planner::JointProof& proof) {
   NamedJoint out;
   for (const planner::PairAxes& pair : proof.pairs) {
@@ -103,7 +103,7 @@ NamedJoint joint_of(const planner::Problem& problem, const Evidence& e,
   return out;
 }
 
-std::vector<NamedClaim> claims_of(const planner::Problem& problem, const Evidence& e,
+std::vector<NamedClaim> claims_of(const planner::ScaledProblem& problem, const Evidence& e,
                                   const std::vector<planner::FullClaim>& claims) {
   std::vector<NamedClaim> out;
   out.reserve(claims.size());
@@ -119,9 +119,9 @@ std::vector<NamedClaim> claims_of(const planner::Problem& problem, const Evidenc
   return out;
 }
 
-NamedPolygon polygon_of(const planner::PolygonSet& set, const std::uint32_t p) {
+NamedPolygon named(const pdg::Polygon& polygon, const std::uint32_t p) {
   NamedPolygon out{p, {}};
-  for (const pdg::ConvexPolygon& piece : planner::planner_pieces(set.polygon(p))) {
+  for (const pdg::ConvexPolygon& piece : planner::planner_pieces(polygon)) {
     Vertices& vertices = out.pieces.emplace_back();
     for (const pdg::Vec2 v : piece) vertices.push_back(point(v));
   }
@@ -145,7 +145,7 @@ void add_path(const Evidence& e, NamedEvidence& out) {
   }
 }
 
-void add_barrier(const planner::Problem& problem, const Evidence& e, NamedEvidence& out) {
+void add_barrier(const planner::ScaledProblem& problem, const Evidence& e, NamedEvidence& out) {
   out.domain = {point(problem.frame.origin), point(problem.domain.low), point(problem.domain.size),
                 problem.frame.exponent};
   for (const planner::CellBox& box : e.barrier.start_side)
@@ -155,9 +155,9 @@ void add_barrier(const planner::Problem& problem, const Evidence& e, NamedEviden
 }
 
 // `robot` is the problem of the scene's own robot, which a disc may stand for in `asked`.
-void add_disc(const planner::Problem& robot, const planner::Problem& asked, const Evidence& e,
-              NamedEvidence& out) {
-  for (const pdg::Vec2 v : asked.scene.robot.points) out.disc.push_back(point(v));
+void add_disc(const planner::ScaledProblem& robot, const planner::ScaledProblem& asked,
+              const Evidence& e, NamedEvidence& out) {
+  for (const pdg::Vec2 v : asked.given.robot.points) out.disc.push_back(point(v));
   const PieceName holder = planner::robot_names(robot.robot)[e.disc_piece];
   out.disc_holder = {holder.polygon, holder.index};
 }
@@ -168,14 +168,14 @@ void add_end(const Evidence& e, NamedEvidence& out) {
   if (!e.out_of_bounds) out.collision = collision_of(e, e.witness.obstacle, e.witness.robot);
 }
 
-void add_pieces(const planner::Problem& robot, const planner::Problem& asked, const Evidence& e,
-                NamedEvidence& out) {
-  for (std::uint32_t p = 0; p < robot.scene.robot.size(); ++p)
-    out.robot_pieces.push_back(polygon_of(robot.scene.robot, p));
+void add_pieces(const planner::ScaledProblem& robot, const planner::ScaledProblem& asked,
+                const Evidence& e, NamedEvidence& out) {
+  for (std::uint32_t p = 0; p < robot.given.robot.size(); ++p)
+    out.robot_pieces.push_back(named(robot.given.robot.polygon(p), p));
   for (const std::uint32_t p : e.polygons)
-    out.obstacle_pieces.push_back(polygon_of(asked.scene.obstacles, p));
-  if (!asked.scene.workspace) return;
-  const planner::Rectangle r = asked.scene.obstacles.bounds(asked.user_obstacles);
+    out.obstacle_pieces.push_back(named(all_obstacles(asked).polygon(p), p));
+  if (!asked.given.workspace) return;
+  const planner::Rectangle r = asked.outside.bounds(0);
   out.outside = {r.low.x, r.low.y, r.high.x, r.high.y};
 }
 
@@ -226,8 +226,8 @@ NamedEvidence evidence(planner::Planner& planner) {
   NamedEvidence out;
   out.kind = e.kind;
   if (e.kind == planner::ClaimKind::kNone) return out;
-  const planner::Problem& robot = planner.problem();
-  const planner::Problem& asked =
+  const planner::ScaledProblem& robot = planner.problem();
+  const planner::ScaledProblem& asked =
       e.kind == planner::ClaimKind::kDisc ? planner.disc_inside().problem() : robot;
   add_pieces(robot, asked, e, out);
   if (e.kind == planner::ClaimKind::kPath) add_path(e, out);

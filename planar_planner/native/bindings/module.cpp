@@ -71,11 +71,11 @@ planner::Goal goal_of(const GoalArrays& arrays) {
   return set;
 }
 
-planner::Scene scene_of(const PolygonArrays& robot, const PolygonArrays& obstacles,
-                        const std::optional<Box>& box,
-                        const std::optional<PolygonArrays>& workspace,
-                        const std::optional<Box>& reference_bounds, const bool rotation) {
-  planner::Scene scene;
+planner::Problem problem_of(const PolygonArrays& robot, const PolygonArrays& obstacles,
+                            const std::optional<Box>& box,
+                            const std::optional<PolygonArrays>& workspace,
+                            const std::optional<Box>& reference_bounds, const bool rotation) {
+  planner::Problem scene;
   scene.robot = polygons(robot);
   scene.obstacles = polygons(obstacles);
   scene.box = rectangle(box);
@@ -90,10 +90,10 @@ planner::Scene scene_of(const PolygonArrays& robot, const PolygonArrays& obstacl
       ("there is no " + std::string(what) + " " + name + "; known are" + known).c_str());
 }
 
-void leave_out(planner::Parts& parts, const std::string& part) {
+void leave_out(planner::Ablation& ablation, const std::string& part) {
 #define PLANNER_LEAVE_OUT(name) \
   if (part == #name) {          \
-    parts.name = false;         \
+    ablation.name = false;      \
     return;                     \
   }
 #define PLANNER_KNOWN(name) " " #name
@@ -114,11 +114,11 @@ planner::CullingQuery query_of(const std::string& query) {
 }
 
 // Without some parts, for benchmarks.
-planner::Parts parts_of(const std::vector<std::string>& without, const std::string& query) {
-  planner::Parts parts;
-  for (const std::string& part : without) leave_out(parts, part);
-  parts.query = query_of(query);
-  return parts;
+planner::Ablation ablation_of(const std::vector<std::string>& without, const std::string& query) {
+  planner::Ablation ablation;
+  for (const std::string& part : without) leave_out(ablation, part);
+  ablation.query = query_of(query);
+  return ablation;
 }
 
 nb::dict placement_dict(const planner::Placement& p) {
@@ -186,7 +186,7 @@ nb::dict solve(planner::Planner& planner, const std::array<double, 3>& start,
   planner::Answer answer;
   {
     const nb::gil_scoped_release release;
-    answer = planner.solve(configuration(start), to, limits, ask);
+    answer = planner.solve_certified(configuration(start), to, limits, ask);
   }
   constexpr std::array<const char*, 3> verdicts{"path", "no_path", "undecided"};
   nb::dict out;
@@ -225,8 +225,8 @@ NB_MODULE(_core, m) {
              const std::optional<Box>& reference_bounds, const bool rotation,
              const std::vector<std::string>& without, const std::string& query) {
             new (self) planner::Planner(
-                scene_of(robot, obstacles, workspace_box, workspace, reference_bounds, rotation),
-                parts_of(without, query));
+                problem_of(robot, obstacles, workspace_box, workspace, reference_bounds, rotation),
+                ablation_of(without, query));
           },
           nb::arg("robot"), nb::arg("obstacles"), nb::arg("workspace_box").none(),
           nb::arg("workspace").none(), nb::arg("reference_bounds").none(), nb::arg("rotation"),

@@ -4,7 +4,7 @@ namespace planner {
 
 namespace {
 
-std::array<double, 3> corner(const Problem& problem, const CellSpace& space,
+std::array<double, 3> corner(const ScaledProblem& problem, const CellSpace& space,
                              const std::array<std::uint64_t, 3>& point) {
   const Vec2 p = to_user(problem, position_of(space, point[kX], point[kY]));
   return {p.x, p.y, space.rotation ? radians_of_turns(point[kTheta]) : space.fixed_theta};
@@ -12,7 +12,7 @@ std::array<double, 3> corner(const Problem& problem, const CellSpace& space,
 
 }  // namespace
 
-CellTable tabulate(const Problem& problem, const Subdivision& subdivision) {
+CellTable tabulate(const ScaledProblem& problem, const Subdivision& subdivision) {
   const std::size_t count = subdivision.size();
   CellTable table;
   table.lower.reserve(count);

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 #include "subdivision.hpp"
 
 namespace planner {
@@ -19,6 +19,6 @@ struct CellTable {
 };
 
 // Theta runs from 0 to a turn; without rotation both corners have the fixed angle.
-CellTable tabulate(const Problem& problem, const Subdivision& subdivision);
+CellTable tabulate(const ScaledProblem& problem, const Subdivision& subdivision);
 
 }  // namespace planner

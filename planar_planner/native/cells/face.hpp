@@ -40,7 +40,7 @@ class FaceTest {
   Link test(CellId a, CellId b);
   // A cell is about to be split: its links go.
   void forget(CellId cell);
-  // What proved faces FULL, one claim a part; all of them stay true.
+  // The proofs that faces are FULL, one claim for each part of a face; all of them stay true.
   [[nodiscard]] const std::vector<FullClaim>& blocked() const { return blocked_; }
 
  private:

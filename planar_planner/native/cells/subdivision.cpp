@@ -11,8 +11,8 @@ namespace planner {
 
 namespace {
 
-// From the back: what is split is mostly what was added last, also in the long lists of large
-// cells.
+// Searches from the back, because a cell that is split is mostly one that was added last, also in
+// the long lists of large cells.
 CellId* find_last(std::vector<CellId>& list, const CellId value) {
   for (std::size_t i = list.size(); i-- > 0;)
     if (list[i] == value) return &list[i];
@@ -194,7 +194,7 @@ void Subdivision::count(const Classification& found) {
   ++statistics_.labelled_cells;
   if (found.label == Label::kFull && found.joint) ++statistics_.joint_cells;
   const bool star_asked = found.label == Label::kStar || found.label == Label::kMixed;
-  if (star_asked && labeller_.parts().star) ++statistics_.star_tests;
+  if (star_asked && labeller_.ablation().star) ++statistics_.star_tests;
 }
 
 // Moves what stands behind the label to where it is kept.

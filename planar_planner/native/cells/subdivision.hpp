@@ -70,7 +70,7 @@ class Subdivision {
   // Number of leaves; ids are 0 .. size() - 1.
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
   [[nodiscard]] const Cell& cell(CellId id) const { return cells_[id]; }
-  // Of a FULL leaf.
+  // Why a FULL leaf is FULL.
   [[nodiscard]] FullClaim claim(CellId id) const;
   [[nodiscard]] Vec2 guard(CellId id) const { return guards_[cells_[id].guard]; }
   [[nodiscard]] std::uint64_t guard_turns(CellId id) const;

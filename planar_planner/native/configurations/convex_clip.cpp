@@ -7,7 +7,8 @@ namespace planner {
 
 namespace {
 
-// What is left on the side where sign * p[axis] <= sign * bound (Sutherland & Hodgman, CACM 1974).
+// The part of the polygon on the side where sign * p[axis] <= sign * bound (Sutherland & Hodgman,
+// CACM 1974).
 pdg::ConvexPolygon clipped_at(const pdg::ConvexPolygon& polygon, double Vec2::* const axis,
                               const double sign, const double bound) {
   pdg::ConvexPolygon out;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pdg/native/geometry/polygon.hpp"
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/problem.hpp"
 
 namespace planner {
 
@@ -16,7 +16,7 @@ double area_of(const pdg::ConvexPolygon& polygon);
 Vec2 middle_of(const pdg::ConvexPolygon& polygon);
 // The point itself if it is inside.
 Vec2 nearest_point(const pdg::ConvexPolygon& polygon, Vec2 p);
-// From two numbers in [0, 1), uniform.
+// A point of the polygon made from two numbers in [0, 1): uniform if they are.
 Vec2 point_at(const pdg::ConvexPolygon& polygon, double u, double v);
 
 }  // namespace planner

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "pdg/native/geometry/motion.hpp"
-#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 
 namespace planner {
 

@@ -9,7 +9,7 @@
 #include "pdg/native/geometry/predicates.hpp"
 #include "planar_planner/native/tolerances.hpp"
 #include "planar_planner/native/world/pieces.hpp"
-#include "pose.hpp"
+#include "scaled_configuration.hpp"
 #include "tuning.hpp"
 
 namespace planner {
@@ -42,7 +42,7 @@ bool apart(const pdg::ConvexPolygon& part, const Rectangle& bounds, const Rectan
 
 }  // namespace
 
-GoalRegion::GoalRegion(const Problem& problem, const GoalSet& set)
+GoalRegion::GoalRegion(const ScaledProblem& problem, const GoalSet& set)
     : problem_(problem), angles_(set.angles) {
   if (angles_) {
     const std::uint64_t low = dyadic_point(problem, {0.0, 0.0, angles_->low})[kTheta];
@@ -152,7 +152,7 @@ std::vector<Configuration> GoalRegion::inside(const CellSpace& space, const Cell
     const pdg::ConvexPolygon common = clipped(part.reachable, r);
     if (common.empty()) continue;
     append_point(out, middle_of(common), *angle);
-    // Of a part without room for a middle only corners can be told to lie in it.
+    // A part may be so narrow that rounding moves its middle out of it; its corners lie in it.
     if (out.empty())
       for (const Vec2 corner : common) append_point(out, corner, *angle);
   }

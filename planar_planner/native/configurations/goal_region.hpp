@@ -8,14 +8,14 @@
 
 #include "dyadic_box.hpp"
 #include "planar_planner/native/world/problem.hpp"
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 
 namespace planner {
 
 class GoalRegion {
  public:
   // The problem must outlive the region.
-  GoalRegion(const Problem& problem, const GoalSet& set);
+  GoalRegion(const ScaledProblem& problem, const GoalSet& set);
 
   // Exactly, for the doubles as they are; theta as the interval writes it, without whole turns.
   [[nodiscard]] bool contains(const Configuration& q) const;
@@ -52,7 +52,7 @@ class GoalRegion {
   [[nodiscard]] std::optional<double> angle_between(double first, double last) const;
   void append_point(std::vector<Configuration>& out, Vec2 p, double theta) const;
 
-  const Problem& problem_;
+  const ScaledProblem& problem_;
   std::optional<GoalSet::Angles> angles_;
   Turns turns_;
   Rectangle reach_;  // the domain, user's units, rounded

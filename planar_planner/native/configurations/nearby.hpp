@@ -30,7 +30,7 @@ inline double node_gap(const pdg::Motion& m, const double robot_reach, const Tre
   return distance_to_box(m, node.low, node.high) - robot_reach - error;
 }
 
-// From the centre of b's bounding circle to that of a's, in the middle of the motion.
+// The vector from the centre of b's bounding circle to that of a's, in the middle of the motion.
 inline Vec2 between_circles(const pdg::Motion& m, const pdg::Rotation rotation,
                             const pdg::ConvexPiece& a, const pdg::ConvexPiece& b) {
   return m.t + pdg::rotate(rotation, a.centre) - b.centre;

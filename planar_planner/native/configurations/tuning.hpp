@@ -14,4 +14,7 @@ inline constexpr double kInwards = 0.125;
 // The guesses that are handed out at once. Chosen, not tuned.
 inline constexpr std::size_t kMostGuesses = 8;
 
+// Edges of a polygon under one box. Chosen, not tuned.
+inline constexpr std::size_t kEdgesPerRun = 16;
+
 }  // namespace planner

@@ -16,7 +16,7 @@ constexpr int kSide = 13;
 constexpr double kMargin = 0.4;
 // Stretches to replace: each is a few lattice steps long, about a third of the one before.
 constexpr int kRounds = 6;
-// Parts into which a leg of a way is cut to look at its depths.
+// Ablation into which a leg of a way is cut to look at its depths.
 constexpr std::size_t kLegParts = 4;
 // Lattice steps to either side of the deepest that the next stretch takes in, at least.
 constexpr std::size_t kReach = 2;

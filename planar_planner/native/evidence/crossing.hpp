@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/problem.hpp"
 
 namespace planner {
 

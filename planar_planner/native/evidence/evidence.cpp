@@ -12,11 +12,12 @@ void sort_unique(std::vector<std::uint32_t>& values) {
 }
 
 // Obstacle polygons whose bounding box the robot's comes near on the way.
-void append_near_polygons(const Problem& problem, const Pose& from, const Pose& to,
-                          std::vector<std::uint32_t>& out) {
+void append_near_polygons(const ScaledProblem& problem, const ScaledConfiguration& from,
+                          const ScaledConfiguration& to, std::vector<std::uint32_t>& out) {
   const SweptBox swept = swept_box(problem, from, to);
-  for (std::size_t i = 0; i < problem.scene.obstacles.size(); ++i) {
-    const Rectangle box = problem.scene.obstacles.bounds(i);
+  const Obstacles obstacles = all_obstacles(problem);
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    const Rectangle box = obstacles.bounds(i);
     const Vec2 low = to_planner(problem, box.low);
     const Vec2 high = to_planner(problem, box.high);
     const double margin = box_margin(problem, low, high);
@@ -49,11 +50,11 @@ std::vector<PieceName> obstacle_names(const ObstacleTree& tree) {
   return names;
 }
 
-bool collect_segments(const Problem& problem, ObstacleTree& tree, Evidence& evidence) {
+bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, Evidence& evidence) {
   SeparatingEdges edges(problem, tree);
   for (std::size_t i = 0; i + 1 < evidence.waypoints.size(); ++i) {
-    const Pose from = pose_of(problem, evidence.waypoints[i]);
-    const Pose to = pose_of(problem, evidence.waypoints[i + 1]);
+    const ScaledConfiguration from = scaled(problem, evidence.waypoints[i]);
+    const ScaledConfiguration to = scaled(problem, evidence.waypoints[i + 1]);
     auto proof = edges.prove(from, to);
     if (!proof) return false;
     evidence.segments.push_back(std::move(*proof));

@@ -7,7 +7,7 @@
 #include "barrier.hpp"
 #include "planar_planner/native/paths/separating_edges.hpp"
 #include "planar_planner/native/search/query.hpp"
-#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 
 namespace planner {
 
@@ -42,7 +42,7 @@ std::vector<PieceName> robot_names(const Robot& robot);
 std::vector<PieceName> obstacle_names(const ObstacleTree& tree);
 
 // Proves every segment of a certified path again, with its witnesses; false if one resists.
-bool collect_segments(const Problem& problem, ObstacleTree& tree, Evidence& evidence);
+bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, Evidence& evidence);
 // The polygons that the barrier's claims refer to.
 void collect_polygons(Evidence& evidence);
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "planar_planner/native/cells/adjacency.hpp"
-#include "planar_planner/native/configurations/pose.hpp"
+#include "planar_planner/native/configurations/scaled_configuration.hpp"
 
 namespace planner {
 
@@ -70,7 +70,7 @@ struct Open {
   }
 };
 
-Configuration middle_of_face(const Problem& problem, const Subdivision& s, const CellId a,
+Configuration middle_of_face(const ScaledProblem& problem, const Subdivision& s, const CellId a,
                              const CellId b) {
   Axis axis = kNoAxis;
   adjacent(s.cell(a).box, s.cell(b).box, axis);
@@ -103,7 +103,7 @@ Crossing follow(const std::vector<Reached>& reached, CellId cell) {
 
 }  // namespace
 
-Crossing find_thinnest_wall(const Problem& problem, const Subdivision& s,
+Crossing find_thinnest_wall(const ScaledProblem& problem, const Subdivision& s,
                             const std::span<const CellId> start, const std::span<const CellId> goal,
                             const DepthAt& depth_at) {
   const Neighbours neighbours(s);

@@ -6,7 +6,7 @@
 
 #include "crossing.hpp"
 #include "planar_planner/native/cells/subdivision.hpp"
-#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 
 namespace planner {
 
@@ -16,7 +16,7 @@ namespace planner {
 // least; it goes by the middles of faces, theta unwrapped. Then it is sharpened about its deepest,
 // which is the wall's thinnest place. Depths are sampled: this is an estimate, no bound. Empty if
 // no sample overlaps.
-Crossing find_thinnest_wall(const Problem& problem, const Subdivision& subdivision,
+Crossing find_thinnest_wall(const ScaledProblem& problem, const Subdivision& subdivision,
                             std::span<const CellId> start, std::span<const CellId> goal,
                             const DepthAt& depth_at);
 

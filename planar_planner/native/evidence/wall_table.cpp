@@ -11,7 +11,7 @@ namespace planner {
 namespace {
 
 // Without rotation theta has no extent of its own: a claim is for all of it.
-Extent whole_turn(const Problem& problem, Extent box) {
+Extent whole_turn(const ScaledProblem& problem, Extent box) {
   if (problem.rotation) return box;
   box.low[kTheta] = 0;
   box.size[kTheta] = kUnit;
@@ -20,7 +20,8 @@ Extent whole_turn(const Problem& problem, Extent box) {
 
 // The domain's corner is rounded before the box's offset is added to it, as whoever reads the
 // certificate does: both then have the same doubles.
-std::array<double, 3> corner(const Problem& problem, const std::array<std::uint64_t, 3>& point) {
+std::array<double, 3> corner(const ScaledProblem& problem,
+                             const std::array<std::uint64_t, 3>& point) {
   const Vec2 low = to_user(problem, problem.domain.low);
   const auto along = [&](const double from, const double size, const std::uint64_t k) {
     return from + length_to_user(problem, size) *
@@ -37,7 +38,7 @@ std::uint8_t halvings(const Extent& box, const Axis axis) {
   return static_cast<std::uint8_t>(static_cast<int>(kCoordinateBits) - zeros);
 }
 
-void append(CellTable& table, const Problem& problem, const FullClaim& claim) {
+void append(CellTable& table, const ScaledProblem& problem, const FullClaim& claim) {
   const Extent box = whole_turn(problem, claim.box);
   std::array<std::uint64_t, 3> high{};
   for (Axis axis = 0; axis < kNoAxis; ++axis) high[axis] = box.low[axis] + box.size[axis];
@@ -49,7 +50,7 @@ void append(CellTable& table, const Problem& problem, const FullClaim& claim) {
 
 }  // namespace
 
-CellTable tabulate(const Problem& problem, const Barrier& barrier) {
+CellTable tabulate(const ScaledProblem& problem, const Barrier& barrier) {
   CellTable table;
   for (const std::vector<FullClaim>* claims : {&barrier.cells, &barrier.faces})
     for (const FullClaim& claim : *claims) append(table, problem, claim);

@@ -10,6 +10,6 @@ namespace planner {
 // The claims of a barrier, cells first; a face has no extent along its normal. `problem` is the one
 // whose cells they are: for ClaimKind::kDisc the disc's. Theta runs from 0 to a turn; without
 // rotation every claim holds for all of it, which is right for a disc only.
-CellTable tabulate(const Problem& problem, const Barrier& barrier);
+CellTable tabulate(const ScaledProblem& problem, const Barrier& barrier);
 
 }  // namespace planner

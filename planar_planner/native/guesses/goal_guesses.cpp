@@ -20,19 +20,18 @@ double mirrored(int n, const int base) {
 }  // namespace
 
 std::vector<Configuration> near_goals(const GoalRegion& region, SegmentTest& segments,
-                                      const Problem& problem, const Configuration& start) {
+                                      const ScaledProblem& problem, const Configuration& start) {
   std::vector<Configuration> out = region.near(start);
-  std::erase_if(out,
-                [&](const Configuration& q) { return !segments.is_free(pose_of(problem, q)); });
+  std::erase_if(out, [&](const Configuration& q) { return !segments.is_free(scaled(problem, q)); });
   return out;
 }
 
 std::vector<Configuration> free_goals(const GoalRegion& region, CollisionHint& hint,
-                                      const Problem& problem, const Configuration& start) {
+                                      const ScaledProblem& problem, const Configuration& start) {
   std::vector<Configuration> out;
   const auto keep_if_free = [&](Configuration q) {
     if (!problem.rotation) q.theta = start.theta;
-    if (out.size() < kMostGoalTrees && hint.gap(pose_of(problem, q)) >= 0.0) out.push_back(q);
+    if (out.size() < kMostGoalTrees && hint.gap(scaled(problem, q)) >= 0.0) out.push_back(q);
   };
   for (const Configuration& q : region.near(start)) keep_if_free(q);
   for (int n = 1; n <= kGoalSamples; ++n)

@@ -11,10 +11,10 @@ namespace planner {
 
 // Free ones near the start, the nearest first.
 std::vector<Configuration> near_goals(const GoalRegion& region, SegmentTest& segments,
-                                      const Problem& problem, const Configuration& start);
+                                      const ScaledProblem& problem, const Configuration& start);
 
 // Some all over the region, free as far as plain doubles tell; the same every time.
 std::vector<Configuration> free_goals(const GoalRegion& region, CollisionHint& hint,
-                                      const Problem& problem, const Configuration& start);
+                                      const ScaledProblem& problem, const Configuration& start);
 
 }  // namespace planner

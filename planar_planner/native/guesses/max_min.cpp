@@ -57,7 +57,7 @@ bool solve(System& rows, const std::size_t n) {
   return true;
 }
 
-// What one unit of weight for a new term does while the active ones stay equal to each other.
+// The effect of one unit of weight for a new term while the active ones stay equal to each other.
 struct Change {
   std::array<double, kMost> weight{};
   Step3 d{};

@@ -47,7 +47,7 @@ void RidgeClimb::sort_axes(std::vector<PairAxis>& axes) {
   axes.erase(std::unique(axes.begin(), axes.end(), same), axes.end());
 }
 
-Pose RidgeClimb::moved(const Pose& from, const Step3& d) const {
+ScaledConfiguration RidgeClimb::moved(const ScaledConfiguration& from, const Step3& d) const {
   const double turn = problem_.rotation ? d[2] / problem_.robot.reach : 0.0;
   return {from.t + Vec2{d[0], d[1]}, from.theta + turn};
 }
@@ -91,7 +91,7 @@ double RidgeClimb::add_terms(const PairAxis& axis, const Vec2 t) {
   return least;
 }
 
-double RidgeClimb::add_best(const Pose& at, const std::span<const PairAxis> axes,
+double RidgeClimb::add_best(const ScaledConfiguration& at, const std::span<const PairAxis> axes,
                             std::vector<PairAxis>& best) {
   posed_.turn_to(rotation_at(at.theta));
   double least = INFINITY;
@@ -110,7 +110,7 @@ double RidgeClimb::add_best(const Pose& at, const std::span<const PairAxis> axes
   return least;
 }
 
-void RidgeClimb::add_good(const Pose& at, const std::span<const PairAxis> axes,
+void RidgeClimb::add_good(const ScaledConfiguration& at, const std::span<const PairAxis> axes,
                           std::vector<PairAxis>& good) {
   posed_.turn_to(rotation_at(at.theta));
   for (std::size_t first = 0, i = 0; first < axes.size(); first = i) {
@@ -123,9 +123,9 @@ void RidgeClimb::add_good(const Pose& at, const std::span<const PairAxis> axes,
   }
 }
 
-// `linearise` fills terms_ at a pose and returns the least of them.
+// `linearise` fills terms_ at a configuration and returns the least of them.
 template <class Linearise>
-Height RidgeClimb::climb_by(Pose at, double radius, const Linearise& linearise) {
+Height RidgeClimb::climb_by(ScaledConfiguration at, double radius, const Linearise& linearise) {
   const double roomy = kRoomy * radius;
   double clearance = linearise(at);
   std::swap(terms_, terms_here_);
@@ -133,7 +133,7 @@ Height RidgeClimb::climb_by(Pose at, double radius, const Linearise& linearise) 
     terms_here_.push_back({roomy, {}});  // no farther than that
     const MaxMinStep step = max_min_step(terms_here_, kSteepest / radius);
     if (!(step.least - clearance > kEnough * std::abs(step.least))) break;
-    const Pose next = moved(at, step.d);
+    const ScaledConfiguration next = moved(at, step.d);
     const double there = linearise(next);
     if (there > clearance) {
       at = next;
@@ -147,9 +147,9 @@ Height RidgeClimb::climb_by(Pose at, double radius, const Linearise& linearise) 
   return {at, clearance};
 }
 
-Height RidgeClimb::climb(const Pose& from, const double radius,
+Height RidgeClimb::climb(const ScaledConfiguration& from, const double radius,
                          const std::span<const PairAxis> axes) {
-  return climb_by(from, radius, [&](const Pose& at) {
+  return climb_by(from, radius, [&](const ScaledConfiguration& at) {
     best_.clear();
     const double least = add_best(at, axes, best_);
     terms_.clear();
@@ -158,9 +158,9 @@ Height RidgeClimb::climb(const Pose& from, const double radius,
   });
 }
 
-Height RidgeClimb::climb_all(const Pose& from, const double radius,
+Height RidgeClimb::climb_all(const ScaledConfiguration& from, const double radius,
                              const std::span<const PairAxis> axes) {
-  return climb_by(from, radius, [&](const Pose& at) {
+  return climb_by(from, radius, [&](const ScaledConfiguration& at) {
     posed_.turn_to(rotation_at(at.theta));
     terms_.clear();
     double least = INFINITY;

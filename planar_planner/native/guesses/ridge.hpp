@@ -1,6 +1,6 @@
 // Configurations pushed to where their clearance is largest locally: onto the ridge of the
-// clearance function, along which a narrow gate can be passed. In plain doubles: a hint, of which
-// only the certificates of the segments in between are believed.
+// clearance function, along which a narrow gate can be passed. In plain doubles: a hint; only
+// the certificates of the segments in between prove anything.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "max_min.hpp"
-#include "planar_planner/native/configurations/pose.hpp"
+#include "planar_planner/native/configurations/scaled_configuration.hpp"
 #include "planar_planner/native/labels/constraints.hpp"
 #include "planar_planner/native/statistics.hpp"
 #include "planar_planner/native/world/obstacle_tree.hpp"
 #include "planar_planner/native/world/posed_robot.hpp"
-#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 
 namespace planner {
 
@@ -30,43 +30,46 @@ struct PairAxis {
 };
 
 struct Height {
-  Pose pose;
+  ScaledConfiguration q;
   double clearance = 0.0;  // least over pairs, planner units; negative: depth
 };
 
 class RidgeClimb {
  public:
-  RidgeClimb(const Problem& problem, const ObstacleTree& tree, Statistics& statistics)
+  RidgeClimb(const ScaledProblem& problem, const ObstacleTree& tree, Statistics& statistics)
       : problem_(problem), tree_(tree), statistics_(statistics), posed_(problem.robot) {}
 
-  // What a cell leaves undecided; all axes of pairs that are still closed, none of nodes.
+  // Adds the axes that a cell leaves undecided: all axes of pairs that are still closed, and none
+  // of nodes.
   void add_axes(const ConstraintView& list, std::vector<PairAxis>& axes) const;
-  // By pairs, and each once: what the functions below ask for.
+  // Sorts axes by pairs and keeps each once, as the functions below require.
   static void sort_axes(std::vector<PairAxis>& axes);
 
-  // Of every pair the axis that separates it the most; returns the least separation.
-  double add_best(const Pose& pose, std::span<const PairAxis> axes, std::vector<PairAxis>& best);
-  // Of every pair all axes that separate it about as much as the best.
-  void add_good(const Pose& pose, std::span<const PairAxis> axes, std::vector<PairAxis>& good);
+  // Adds for every pair the axis that separates it the most; returns the least separation.
+  double add_best(const ScaledConfiguration& q, std::span<const PairAxis> axes,
+                  std::vector<PairAxis>& best);
+  // Adds for every pair all axes that separate it about as much as the best.
+  void add_good(const ScaledConfiguration& q, std::span<const PairAxis> axes,
+                std::vector<PairAxis>& good);
 
   // Steps up the clearance, none longer than `radius` (planner units, a turn counting as its
   // longest way), until it is a fair part of the radius or cannot grow; each pair by the axis that
   // is best where the step begins.
-  Height climb(const Pose& from, double radius, std::span<const PairAxis> axes);
+  Height climb(const ScaledConfiguration& from, double radius, std::span<const PairAxis> axes);
   // The same with all of these axes at once: to where every one of them separates, if there is such
   // a place nearby.
-  Height climb_all(const Pose& from, double radius, std::span<const PairAxis> axes);
+  Height climb_all(const ScaledConfiguration& from, double radius, std::span<const PairAxis> axes);
 
  private:
   template <class Linearise>
-  Height climb_by(Pose at, double radius, const Linearise& linearise);
+  Height climb_by(ScaledConfiguration at, double radius, const Linearise& linearise);
   template <class Visit>
   void each_vertex(const PairAxis& axis, Vec2 t, const Visit& visit);
   double value(const PairAxis& axis, Vec2 t);
   double add_terms(const PairAxis& axis, Vec2 t);
-  [[nodiscard]] Pose moved(const Pose& from, const Step3& d) const;
+  [[nodiscard]] ScaledConfiguration moved(const ScaledConfiguration& from, const Step3& d) const;
 
-  const Problem& problem_;
+  const ScaledProblem& problem_;
   const ObstacleTree& tree_;
   Statistics& statistics_;
   PosedRobot posed_;

@@ -6,10 +6,10 @@
 namespace planner {
 
 bool RidgeAttempts::due() const {
-  const Parts& parts = problem_.parts;
+  const Ablation& ablation = problem_.ablation;
   const bool now =
       statistics_.labelled_cells >= next_cells_ || statistics_.axis_work() >= next_work_;
-  return parts.ridge && parts.guided && now;
+  return ablation.ridge && ablation.guided && now;
 }
 
 std::vector<Configuration> RidgeAttempts::attempt(const std::vector<CellId>& channel,

@@ -16,7 +16,7 @@ namespace planner {
 
 class RidgeAttempts {
  public:
-  RidgeAttempts(const Problem& problem, ObstacleTree& tree, const Subdivision& subdivision,
+  RidgeAttempts(const ScaledProblem& problem, ObstacleTree& tree, const Subdivision& subdivision,
                 SegmentTest& segments, Statistics& statistics)
       : problem_(problem),
         tree_(tree),
@@ -30,7 +30,7 @@ class RidgeAttempts {
                                      const Configuration& goal, const Terminator& stop);
 
  private:
-  const Problem& problem_;
+  const ScaledProblem& problem_;
   ObstacleTree& tree_;
   SegmentTest& segments_;
   Statistics& statistics_;

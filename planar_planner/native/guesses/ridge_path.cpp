@@ -11,18 +11,18 @@ bool RidgePath::spent() const {
   return statistics_.axis_work() >= most_ || (*stop_)();
 }
 
-// Of the robot's farthest point, at most.
-double RidgePath::way(const Pose& from, const Pose& to) const {
+// An upper bound of the way of the robot's farthest point.
+double RidgePath::way(const ScaledConfiguration& from, const ScaledConfiguration& to) const {
   return pdg::norm(to.t - from.t) + problem_.robot.reach * std::abs(to.theta - from.theta);
 }
 
 // As it will be returned, so that what is certified is that.
-Pose RidgePath::rounded(const Pose& pose) const {
-  return pose_of(problem_, configuration_of(problem_, pose));
+ScaledConfiguration RidgePath::rounded(const ScaledConfiguration& q) const {
+  return scaled(problem_, configuration_of(problem_, q));
 }
 
 // A guard, or the centre, with theta near the angle given.
-Pose RidgePath::middle_of(const CellId id, const double near) const {
+ScaledConfiguration RidgePath::middle_of(const CellId id, const double near) const {
   const CellSpace& space = subdivision_.space();
   const CellBox& box = subdivision_.cell(id).box;
   const double theta =
@@ -36,7 +36,7 @@ Pose RidgePath::middle_of(const CellId id, const double near) const {
 bool RidgePath::find_footholds(const std::vector<CellId>& channel) {
   for (std::size_t i = 0; i < channel.size(); ++i) {
     const Cell& cell = subdivision_.cell(channel[i]);
-    const Pose middle = middle_of(channel[i], footholds_.back().pose.theta);
+    const ScaledConfiguration middle = middle_of(channel[i], footholds_.back().q.theta);
     if (cell.solid()) {
       footholds_.push_back({rounded(middle), i, INFINITY});
       continue;
@@ -49,7 +49,7 @@ bool RidgePath::find_footholds(const std::vector<CellId>& channel) {
     climb_.add_axes(undecided, scope_);
     RidgeClimb::sort_axes(scope_);
     const Height top = climb_.climb(middle, cell.size * problem_.robot.reach, scope_);
-    if (top.clearance > 0.0) footholds_.push_back({rounded(top.pose), i, top.clearance});
+    if (top.clearance > 0.0) footholds_.push_back({rounded(top.q), i, top.clearance});
   }
   return true;
 }
@@ -81,11 +81,12 @@ void RidgePath::look_between(const std::vector<CellId>& channel, const Foothold&
 
 // Where axes stay fixed, what they separate is nearly convex. A configuration separated by the axes
 // of both ends is seen from both: before a gate, aligned with it.
-Height RidgePath::between_axes(const Pose& from, const Pose& to, const double radius) {
-  const Pose middle = between(from, to, 0.5);
+Height RidgePath::between_axes(const ScaledConfiguration& from, const ScaledConfiguration& to,
+                               const double radius) {
+  const ScaledConfiguration middle = between(from, to, 0.5);
   for (const bool all_good : {true, false}) {
     both_.clear();
-    for (const Pose& end : {from, to})
+    for (const ScaledConfiguration& end : {from, to})
       if (all_good)
         climb_.add_good(end, scope_, both_);
       else
@@ -97,19 +98,20 @@ Height RidgePath::between_axes(const Pose& from, const Pose& to, const double ra
   return climb_.climb(middle, radius, scope_);
 }
 
-bool RidgePath::connect(const Pose& from, const Pose& to, const int depth,
-                        std::vector<Pose>& poses) {
+bool RidgePath::connect(const ScaledConfiguration& from, const ScaledConfiguration& to,
+                        const int depth, std::vector<ScaledConfiguration>& configurations) {
   if (spent()) return false;
   if (segments_.certify(from, to)) {
-    poses.push_back(to);
+    configurations.push_back(to);
     return true;
   }
   if (depth == 0) return false;
   const double radius = way(from, to);
   const Height top = between_axes(from, to, radius);
-  if (!(top.clearance > 0.0) || way(between(from, to, 0.5), top.pose) > radius) return false;
-  const Pose there = rounded(top.pose);
-  return connect(from, there, depth - 1, poses) && connect(there, to, depth - 1, poses);
+  if (!(top.clearance > 0.0) || way(between(from, to, 0.5), top.q) > radius) return false;
+  const ScaledConfiguration there = rounded(top.q);
+  return connect(from, there, depth - 1, configurations) &&
+         connect(there, to, depth - 1, configurations);
 }
 
 std::vector<Configuration> RidgePath::find(const std::vector<CellId>& channel,
@@ -117,23 +119,24 @@ std::vector<Configuration> RidgePath::find(const std::vector<CellId>& channel,
                                            const std::uint64_t budget, const Terminator& stop) {
   most_ = statistics_.axis_work() + budget;
   stop_ = &stop;
-  footholds_.assign(1, {pose_of(problem_, start), 0, INFINITY});
+  footholds_.assign(1, {scaled(problem_, start), 0, INFINITY});
   if (!find_footholds(channel)) return {};
   Configuration end = goal;
-  const double theta = footholds_.back().pose.theta;
+  const double theta = footholds_.back().q.theta;
   end.theta = problem_.rotation ? nearest_turn(goal.theta, theta) : start.theta;
-  footholds_.push_back({pose_of(problem_, end), channel.size() - 1, INFINITY});
+  footholds_.push_back({scaled(problem_, end), channel.size() - 1, INFINITY});
   list_gaps();
   for (Gap& gap : gaps_) {
     const Foothold& from = footholds_[gap.from];
     const Foothold& to = footholds_[gap.from + 1];
     look_between(channel, from, to);
-    if (!connect(from.pose, to.pose, kGapHalvings, gap.poses)) return {};
+    if (!connect(from.q, to.q, kGapHalvings, gap.configurations)) return {};
   }
   std::sort(gaps_.begin(), gaps_.end(), [](const Gap& a, const Gap& b) { return a.from < b.from; });
   std::vector<Configuration> path{start};
   for (const Gap& gap : gaps_)
-    for (const Pose& pose : gap.poses) path.push_back(configuration_of(problem_, pose));
+    for (const ScaledConfiguration& q : gap.configurations)
+      path.push_back(configuration_of(problem_, q));
   path.back() = end;
   return path;
 }

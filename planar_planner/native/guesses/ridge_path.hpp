@@ -17,7 +17,7 @@ namespace planner {
 
 class RidgePath {
  public:
-  RidgePath(const Problem& problem, const ObstacleTree& tree, const Subdivision& subdivision,
+  RidgePath(const ScaledProblem& problem, const ObstacleTree& tree, const Subdivision& subdivision,
             SegmentTest& segments, Statistics& statistics)
       : problem_(problem),
         subdivision_(subdivision),
@@ -34,28 +34,30 @@ class RidgePath {
  private:
   // A configuration in or near one of the channel's cells, free as far as plain doubles tell.
   struct Foothold {
-    Pose pose;
+    ScaledConfiguration q;
     std::size_t cell;  // its place in the channel
     double clearance;  // infinite at the ends and in solid cells
   };
-  // From one foothold to the next.
+  // The way from one foothold to the next.
   struct Gap {
     std::size_t from;
-    double clearance;         // of the tighter end; negative: a cell in between has no foothold
-    std::vector<Pose> poses;  // certified, without the first
+    double clearance;  // of the tighter end; negative: a cell in between has no foothold
+    std::vector<ScaledConfiguration> configurations;  // certified, without the first
   };
 
   bool find_footholds(const std::vector<CellId>& channel);
-  [[nodiscard]] Pose middle_of(CellId id, double near) const;
+  [[nodiscard]] ScaledConfiguration middle_of(CellId id, double near) const;
   void list_gaps();
   void look_between(const std::vector<CellId>& channel, const Foothold& from, const Foothold& to);
-  bool connect(const Pose& from, const Pose& to, int depth, std::vector<Pose>& poses);
-  Height between_axes(const Pose& from, const Pose& to, double radius);
-  [[nodiscard]] Pose rounded(const Pose& pose) const;
-  [[nodiscard]] double way(const Pose& from, const Pose& to) const;
+  bool connect(const ScaledConfiguration& from, const ScaledConfiguration& to, int depth,
+               std::vector<ScaledConfiguration>& configurations);
+  Height between_axes(const ScaledConfiguration& from, const ScaledConfiguration& to,
+                      double radius);
+  [[nodiscard]] ScaledConfiguration rounded(const ScaledConfiguration& q) const;
+  [[nodiscard]] double way(const ScaledConfiguration& from, const ScaledConfiguration& to) const;
   [[nodiscard]] bool spent() const;
 
-  const Problem& problem_;
+  const ScaledProblem& problem_;
   const Subdivision& subdivision_;
   SegmentTest& segments_;
   Statistics& statistics_;

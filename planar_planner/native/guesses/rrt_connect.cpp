@@ -18,8 +18,8 @@ constexpr std::uint32_t kCut = UINT32_MAX;
 
 constexpr double kHalfTurn = std::numbers::pi;
 
-Pose wrapped(const Pose& pose) {
-  return {pose.t, std::remainder(pose.theta, 2.0 * kHalfTurn)};
+ScaledConfiguration wrapped(const ScaledConfiguration& q) {
+  return {q.t, std::remainder(q.theta, 2.0 * kHalfTurn)};
 }
 
 // The shorter way from one angle to another, both within half a turn of zero.
@@ -32,7 +32,7 @@ double turn_between(const double from, const double to) {
 
 }  // namespace
 
-RrtConnect::RrtConnect(const Problem& problem, CollisionHint& hint, const Budget& budget,
+RrtConnect::RrtConnect(const ScaledProblem& problem, CollisionHint& hint, const Budget& budget,
                        const Configuration& start, const std::span<const Configuration> goals)
     : problem_(problem),
       hint_(hint),
@@ -44,12 +44,12 @@ RrtConnect::RrtConnect(const Problem& problem, CollisionHint& hint, const Budget
       shortest_(std::min(longest_, kShortestEdge * problem.robot.reach)),
       longest_growth_(kLongestGrowth * problem.robot.reach),
       range_(longest_),
-      from_start_{{wrapped(pose_of(problem, start)), 0}} {
-  theta_ = from_start_[0].pose.theta;
+      from_start_{{wrapped(scaled(problem, start)), 0}} {
+  theta_ = from_start_[0].q.theta;
   for (const Configuration& goal : goals_) {
     from_goal_.push_back(
-        {wrapped(pose_of(problem, goal)), static_cast<std::uint32_t>(from_goal_.size())});
-    if (!problem.rotation) from_goal_.back().pose.theta = theta_;
+        {wrapped(scaled(problem, goal)), static_cast<std::uint32_t>(from_goal_.size())});
+    if (!problem.rotation) from_goal_.back().q.theta = theta_;
   }
 }
 
@@ -61,7 +61,7 @@ std::vector<Configuration> RrtConnect::find(const double spacing, const Terminat
     const std::size_t before = here.size();
     grow(here, sample(), longest_growth_);
     if (here.size() == before) continue;
-    if (grow(there, here.back().pose, INFINITY) == Advance::kReached) return joined();
+    if (grow(there, here.back().q, INFINITY) == Advance::kReached) return joined();
   }
   return {};
 }
@@ -91,7 +91,8 @@ void RrtConnect::cut(Tree& tree, const std::uint32_t root) {
 }
 
 // Steps towards the target, for as long a way as that; what the last step did.
-RrtConnect::Advance RrtConnect::grow(Tree& tree, const Pose& target, const double longest) {
+RrtConnect::Advance RrtConnect::grow(Tree& tree, const ScaledConfiguration& target,
+                                     const double longest) {
   std::uint32_t from = nearest(tree, target);
   double way = 0.0;
   for (;;) {
@@ -102,11 +103,12 @@ RrtConnect::Advance RrtConnect::grow(Tree& tree, const Pose& target, const doubl
   }
 }
 
-RrtConnect::Advance RrtConnect::step(Tree& tree, const std::uint32_t from, const Pose& target) {
-  const Pose begin = tree[from].pose;
+RrtConnect::Advance RrtConnect::step(Tree& tree, const std::uint32_t from,
+                                     const ScaledConfiguration& target) {
+  const ScaledConfiguration begin = tree[from].q;
   const double way = std::sqrt(squared_distance(begin, target));
   const bool reaches = way <= range_;
-  const Pose end = reaches ? target : towards(begin, target, range_ / way);
+  const ScaledConfiguration end = reaches ? target : towards(begin, target, range_ / way);
   if (!passes(begin, end)) {
     range_ = std::max(kShorterEdge * range_, shortest_);
     return Advance::kTrapped;
@@ -116,25 +118,25 @@ RrtConnect::Advance RrtConnect::step(Tree& tree, const std::uint32_t from, const
   return reaches ? Advance::kReached : Advance::kAdvanced;
 }
 
-std::uint32_t RrtConnect::nearest(const Tree& tree, const Pose& target) {
+std::uint32_t RrtConnect::nearest(const Tree& tree, const ScaledConfiguration& target) {
   budget_ -= static_cast<std::int64_t>(tree.size() / kNodesPerCheck);
   std::size_t best = 0;
   double least = INFINITY;
   for (std::size_t i = 0; i < tree.size(); ++i) {
-    const Vec2 way = target.t - tree[i].pose.t;
+    const Vec2 way = target.t - tree[i].q.t;
     if (dot(way, way) >= least) continue;  // most are too far away without their turn
-    const double there = squared_distance(tree[i].pose, target);
+    const double there = squared_distance(tree[i].q, target);
     if (there < least) least = there, best = i;
   }
   return static_cast<std::uint32_t>(best);
 }
 
 // Asks about the far end, then ever finer between, but no finer where the gap covers the rest.
-bool RrtConnect::passes(const Pose& from, const Pose& to) {
-  const auto gap = [&](const Pose& pose) {
+bool RrtConnect::passes(const ScaledConfiguration& from, const ScaledConfiguration& to) {
+  const auto gap = [&](const ScaledConfiguration& q) {
     if (spent()) return kCollides;
     --budget_;
-    return hint_.gap(pose);
+    return hint_.gap(q);
   };
   if (gap(to) < 0.0) return false;
   const double farthest = pdg::norm(to.t - from.t) +
@@ -157,18 +159,20 @@ bool RrtConnect::passes(const Pose& from, const Pose& to) {
   return true;
 }
 
-Pose RrtConnect::towards(const Pose& from, const Pose& to, const double s) const {
+ScaledConfiguration RrtConnect::towards(const ScaledConfiguration& from,
+                                        const ScaledConfiguration& to, const double s) const {
   const double turn = turn_between(from.theta, to.theta);
   return {from.t + s * (to.t - from.t), turn_between(0.0, from.theta + s * turn)};
 }
 
-double RrtConnect::squared_distance(const Pose& a, const Pose& b) const {
+double RrtConnect::squared_distance(const ScaledConfiguration& a,
+                                    const ScaledConfiguration& b) const {
   const Vec2 way = b.t - a.t;
   const double turn = problem_.robot.reach * turn_between(a.theta, b.theta);
   return dot(way, way) + turn * turn;
 }
 
-Pose RrtConnect::sample() {
+ScaledConfiguration RrtConnect::sample() {
   const Domain& d = problem_.domain;
   const Vec2 t = d.low + Vec2{random() * d.size.x, random() * d.size.y};
   return {t, problem_.rotation ? kHalfTurn * (2.0 * random() - 1.0) : theta_};
@@ -191,9 +195,9 @@ std::vector<Configuration> RrtConnect::joined() {
   std::reverse(way_from_goal_.begin(), way_from_goal_.end());
   std::vector<Configuration> path{start_};
   for (std::size_t i = 1; i < way_from_start_.size(); ++i)
-    path.push_back(configuration_of(problem_, from_start_[way_from_start_[i]].pose));
+    path.push_back(configuration_of(problem_, from_start_[way_from_start_[i]].q));
   for (std::size_t i = 1; i + 1 < way_from_goal_.size(); ++i)
-    path.push_back(configuration_of(problem_, from_goal_[way_from_goal_[i]].pose));
+    path.push_back(configuration_of(problem_, from_goal_[way_from_goal_[i]].q));
   path.push_back(goals_[way_from_goal_.back()]);
   for (std::size_t i = 1; i < path.size(); ++i)
     path[i].theta =

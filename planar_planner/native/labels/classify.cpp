@@ -23,7 +23,7 @@ struct Asker {
     return joint ? refute(scratch.terms, m, scratch.joint) : std::nullopt;
   }
   [[nodiscard]] std::optional<Vec2> guard(const pdg::Motion& m) const {
-    if (!labeller.parts().star) return std::nullopt;
+    if (!labeller.ablation().star) return std::nullopt;
     return find_guard(labeller.tree(), m, posed, list, scratch.star);
   }
 };
@@ -72,8 +72,8 @@ Classification classify(Labeller& labeller, const pdg::Motion& motion, PosedRobo
   out.turning_radius = by_pairs.turning_radius;
   out.motion_radius = motion_radius(motion, by_pairs.turning_radius);
   if (out.label != Label::kMixed) return out;
-  const bool joint =
-      labeller.parts().joint && (questions.joint_if_centre_looks_free || by_pairs.separation < 0.0);
+  const bool joint = labeller.ablation().joint &&
+                     (questions.joint_if_centre_looks_free || by_pairs.separation < 0.0);
   const Asker asker{labeller, posed, view(out.undecided), joint, scratch};
   (questions.star_first ? ask_star : ask_joint)(asker, motion, out);
   if (out.label == Label::kMixed) (questions.star_first ? ask_joint : ask_star)(asker, motion, out);

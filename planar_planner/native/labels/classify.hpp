@@ -15,9 +15,9 @@
 
 namespace planner {
 
-// What is asked of a set that is MIXED by single pairs. Obstruction by several pairs and the star
-// test exclude each other (a guard is free), so their order decides what they cost, not what comes
-// out.
+// The questions that a set which is MIXED by single pairs is asked. Obstruction by several pairs
+// and the star test exclude each other (a guard is free), so their order decides what they cost,
+// not what comes out.
 struct Questions {
   bool star_first = false;
   // Joint obstruction, even where the centre looks free by the labelling's hint.

@@ -1,4 +1,4 @@
-// What proves that a cell or a face lies in C-obstacle: evidence for certificates.
+// The proof that a cell or a face lies in C-obstacle, as evidence for certificates.
 #pragma once
 
 #include <cstdint>

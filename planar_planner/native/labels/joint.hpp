@@ -25,8 +25,8 @@
 
 namespace planner {
 
-// What the undecided pairs of a motion demand of a free configuration, written about the motion's
-// centre: the same for every part of the motion that has the same centre.
+// The conditions that the undecided pairs of a motion put on a free configuration, written about
+// the motion's centre. They are the same for every part of the motion that has the same centre.
 struct JointTerms {
   // s_k = value + normal . e + v cos(delta) + w sin(delta), up to +- bend, over the motion's
   // deviations e of the translation and delta of the angle.

@@ -48,9 +48,9 @@ struct Labeller::Pass {
 };
 
 Labeller::Labeller(const Robot& robot, ObstacleTree& tree, Statistics& statistics,
-                   const Parts& parts)
-    : robot_(robot), tree_(tree), statistics_(statistics), parts_(parts) {
-  if (!parts_.hierarchy) tree_.expand_all();
+                   const Ablation& ablation)
+    : robot_(robot), tree_(tree), statistics_(statistics), ablation_(ablation) {
+  if (!ablation_.hierarchy) tree_.expand_all();
 }
 
 void Labeller::root_list(ConstraintList& out) const {
@@ -61,7 +61,7 @@ void Labeller::root_list(ConstraintList& out) const {
     out.pairs.push_back(
         {wall, robot_.hull(), static_cast<std::uint16_t>(out.constraints.size() - before)});
   }
-  if (parts_.hierarchy) {
+  if (ablation_.hierarchy) {
     if (!tree_.empty()) out.pairs.push_back({tree_.root(), kNode, 0});
     return;
   }
@@ -199,7 +199,7 @@ bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16
       result.clearance = std::min(result.clearance, verdict.clearance);
       return true;
     case pdg::PairLabel::kOverlap:
-      if (parts_.query != CullingQuery::kPerNormal && !culls(pass, obstacle, robot)) {
+      if (ablation_.query != CullingQuery::kPerNormal && !culls(pass, obstacle, robot)) {
         pass.result.undecided.constraints.insert(pass.result.undecided.constraints.end(),
                                                  active.begin(), active.end());
         verdict.sway = whole_sway(pass.motion, robot_.pieces[robot].reach);
@@ -230,7 +230,7 @@ bool Labeller::judge(Pass& pass, const std::uint32_t obstacle, const std::uint16
 // The scalar forms of the query: the depth at the centre against how far the cell's motion goes.
 bool Labeller::culls(const Pass& pass, const std::uint32_t obstacle,
                      const std::uint16_t robot) const {
-  if (parts_.query == CullingQuery::kNone) return false;
+  if (ablation_.query == CullingQuery::kNone) return false;
   const pdg::PosedPiece a = pass.posed.piece(robot);
   const pdg::ConvexPiece& b = tree_.piece(obstacle);
   const Motion centre = pdg::centre_of(pass.motion);
@@ -241,7 +241,7 @@ bool Labeller::culls(const Pass& pass, const std::uint32_t obstacle,
   for (pdg::Constraint& c : all)
     shallowest = std::max(shallowest, pdg::constraint_range(a, b, centre, error, c).hi);
   const pdg::HalfExtents half{pass.extent.x, pass.extent.y, pass.motion.half_angle};
-  const double bound = parts_.query == CullingQuery::kPublished
+  const double bound = ablation_.query == CullingQuery::kPublished
                            ? pdg::sum_bound(half, robot_.reach)
                            : pdg::displacement_bound(half, a.piece->reach);
   return -shallowest - error > bound;

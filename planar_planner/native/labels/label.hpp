@@ -26,7 +26,7 @@ struct Witness {
   std::uint16_t robot;     // piece of the robot
 };
 
-// What single pairs say of a set: kFree, kFull or kMixed.
+// The label of a set by single pairs: kFree, kFull or kMixed.
 struct LabelResult {
   Label label = Label::kMixed;
   Witness witness{};         // kFull
@@ -41,7 +41,8 @@ struct LabelResult {
 // that were looked at; one per search.
 class Labeller {
  public:
-  Labeller(const Robot& robot, ObstacleTree& tree, Statistics& statistics, const Parts& parts = {});
+  Labeller(const Robot& robot, ObstacleTree& tree, Statistics& statistics,
+           const Ablation& ablation = {});
 
   // Everything that can touch the robot, to start from.
   void root_list(ConstraintList& out) const;
@@ -56,7 +57,7 @@ class Labeller {
 
   [[nodiscard]] const Robot& robot() const { return robot_; }
   [[nodiscard]] const ObstacleTree& tree() const { return tree_; }
-  [[nodiscard]] const Parts& parts() const { return parts_; }
+  [[nodiscard]] const Ablation& ablation() const { return ablation_; }
 
  private:
   struct Pass;
@@ -73,7 +74,7 @@ class Labeller {
   const Robot& robot_;
   ObstacleTree& tree_;
   Statistics& statistics_;
-  Parts parts_;
+  Ablation ablation_;
   std::vector<pdg::Constraint> fresh_, undecided_;
   std::vector<bool> touched_;  // by obstacle piece: its pairs with all robot pieces
   std::uint64_t pairs_touched_ = 0;

@@ -30,7 +30,8 @@ double pair_separation(const pdg::PosedPiece& a, const pdg::ConvexPiece& b,
 
 class Probe {
  public:
-  Probe(const Problem& problem, ObstacleTree& tree, const Pose& from, const Pose& to)
+  Probe(const ScaledProblem& problem, ObstacleTree& tree, const ScaledConfiguration& from,
+        const ScaledConfiguration& to)
       : problem_(problem), tree_(tree), from_(from), to_(to), posed_(problem.robot) {}
 
   // Certified lower bound over the interval, at most `cap`; 0 if the interval turns too far.
@@ -80,8 +81,8 @@ class Probe {
     return std::max(least, 0.0);
   }
 
-  // Of the robot, which `over` has posed for this configuration, from the hull of the polygon that
-  // the node is.
+  // The separation of the robot, which `over` has posed for this configuration, from the hull of
+  // the polygon that the node is.
   double hull_separation(const std::uint32_t node, const pdg::Motion& rest) {
     const pdg::ConvexPiece* const hull = tree_.hull(node);
     if (hull == nullptr) return -INFINITY;
@@ -103,10 +104,10 @@ class Probe {
     }
   }
 
-  const Problem& problem_;
+  const ScaledProblem& problem_;
   ObstacleTree& tree_;
-  Pose from_;
-  Pose to_;
+  ScaledConfiguration from_;
+  ScaledConfiguration to_;
   PosedRobot posed_;
   std::vector<pdg::Constraint> axes_;
 };
@@ -124,8 +125,8 @@ double middle(const Interval i) {
 
 }  // namespace
 
-double sampled_clearance(const Problem& problem, ObstacleTree& tree,
-                         const std::vector<Pose>& path) {
+double sampled_clearance(const ScaledProblem& problem, ObstacleTree& tree,
+                         const std::vector<ScaledConfiguration>& path) {
   double least = INFINITY;
   for (std::size_t i = 0; i + 1 < path.size(); ++i)
     least = std::min(least, Probe(problem, tree, path[i], path[i + 1]).at_about(0.5, least));
@@ -133,9 +134,9 @@ double sampled_clearance(const Problem& problem, ObstacleTree& tree,
 }
 
 // Best first over all segments at once, so that where there is much room nothing is refined.
-ClearanceBounds bound_clearance(const Problem& problem, ObstacleTree& tree,
-                                const std::vector<Pose>& path, const double tolerance,
-                                const int intervals) {
+ClearanceBounds bound_clearance(const ScaledProblem& problem, ObstacleTree& tree,
+                                const std::vector<ScaledConfiguration>& path,
+                                const double tolerance, const int intervals) {
   ClearanceBounds clearance;
   std::vector<Probe> probes;
   for (std::size_t i = 0; i + 1 < path.size(); ++i)

@@ -7,19 +7,20 @@
 
 namespace planner {
 
-CollisionHint::CollisionHint(const Problem& problem, ObstacleTree& tree, const std::size_t small)
+CollisionHint::CollisionHint(const ScaledProblem& problem, ObstacleTree& tree,
+                             const std::size_t small)
     : problem_(problem),
       tree_(tree),
-      small_(problem.scene.obstacles.points.size() <= small),
+      small_(all_obstacles(problem).points() <= small),
       vertices_(problem.robot.vertex_total),
       normals_(problem.robot.vertex_total),
       turned_at_(problem.robot.pieces.size()),
-      outlines_(small_ ? 0 : problem.scene.obstacles.size()) {}
+      edges_(small_ ? 0 : all_obstacles(problem).size()) {}
 
-double CollisionHint::gap(const Pose& pose) {
+double CollisionHint::gap(const ScaledConfiguration& q) {
   ++calls_;
-  t_ = pose.t;
-  rotation_ = rotation_at(pose.theta);
+  t_ = q.t;
+  rotation_ = rotation_at(q.theta);
   if (gap_to_domain() < 0.0 || hits_last_piece()) return kCollides;
   place_hull();
   double least = std::min(gap_to_domain(), gap_to_walls());
@@ -51,24 +52,25 @@ double CollisionHint::gap_to_box(const TreeNode& node) const {
                   std::max(low_.y - node.high.y, node.low.y - high_.y));
 }
 
-// Of a node without children. One that hit before may have been decomposed since: then not.
+// The node has no children. A node that was hit before may have been decomposed since; then it is
+// neither a piece nor a whole polygon, and counts as not hit.
 bool CollisionHint::hits_node(const std::uint32_t index) {
   const std::uint32_t piece = tree_.node(index).piece;
   if (piece != kNoPiece) return hits_piece(tree_.piece(piece));
   const auto polygon = tree_.whole_polygon(index);
-  return polygon && hits_outline(*polygon);
+  return polygon && hits_edges(*polygon);
 }
 
-bool CollisionHint::hits_outline(const std::uint32_t polygon) {
-  std::optional<Outline>& outline = outlines_[polygon];
-  if (!outline) outline.emplace(problem_.scene.obstacles, polygon, problem_.frame);
-  work_ += outline->runs();
-  if (outline->any_edge(low_, high_, [&](const Vec2 p, const Vec2 q) { return crosses(p, q); }))
+bool CollisionHint::hits_edges(const std::uint32_t polygon) {
+  std::optional<EdgeRuns>& edges = edges_[polygon];
+  if (!edges) edges.emplace(all_obstacles(problem_).polygon(polygon), problem_.frame);
+  work_ += edges->count();
+  if (edges->any_edge(low_, high_, [&](const Vec2 p, const Vec2 q) { return crosses(p, q); }))
     return true;
   // No edge in the robot: each of its pieces lies inside or outside as a whole.
   const auto inside = [&](const pdg::ConvexPiece& piece) {
-    work_ += outline->runs();
-    return outline->contains(t_ + pdg::rotate(rotation_, piece.inner_centre));
+    work_ += edges->count();
+    return edges->contains(t_ + pdg::rotate(rotation_, piece.inner_centre));
   };
   const auto& pieces = problem_.robot.pieces;
   return std::any_of(pieces.begin(), pieces.end() - 1, inside);
@@ -115,7 +117,7 @@ void CollisionHint::place_hull() {
   high_ = high_ + t_;
 }
 
-// Of the reference point to the edge of its domain.
+// The distance of the reference point from the edge of its domain.
 double CollisionHint::gap_to_domain() const {
   const Domain& d = problem_.domain;
   const Vec2 place = t_ - d.low;
@@ -132,7 +134,7 @@ double CollisionHint::gap_to_walls() const {
   return least;
 }
 
-// What blocked the last configuration often blocks this one, and asking it first spares the rest.
+// The piece that blocked the last configuration often blocks this one, so it is asked first.
 bool CollisionHint::hits_last_piece() {
   if (last_hit_ == kNoPiece) return false;
   const std::uint32_t piece = tree_.node(last_hit_).piece;

@@ -10,21 +10,24 @@ namespace planner {
 
 namespace {
 
-bool looks_blocked(CollisionHint& hint, const Pose& from, const Pose& to) {
+bool looks_blocked(CollisionHint& hint, const ScaledConfiguration& from,
+                   const ScaledConfiguration& to) {
   return std::any_of(kShortcutGlances.begin(), kShortcutGlances.end(),
                      [&](const double s) { return hint.gap(between(from, to, s)) < 0.0; });
 }
 
-std::vector<Pose> poses_of(const Problem& problem, const std::vector<Configuration>& path) {
-  std::vector<Pose> poses;
-  poses.reserve(path.size());
-  for (const Configuration& q : path) poses.push_back(pose_of(problem, q));
-  return poses;
+std::vector<ScaledConfiguration> all_scaled(const ScaledProblem& problem,
+                                            const std::vector<Configuration>& path) {
+  std::vector<ScaledConfiguration> configurations;
+  configurations.reserve(path.size());
+  for (const Configuration& q : path) configurations.push_back(scaled(problem, q));
+  return configurations;
 }
 
 }  // namespace
 
-std::vector<Configuration> assemble_path(const Problem& problem, const Subdivision& subdivision,
+std::vector<Configuration> assemble_path(const ScaledProblem& problem,
+                                         const Subdivision& subdivision,
                                          const std::vector<CellId>& channel,
                                          const std::vector<Connector>& links,
                                          const Configuration& start, const Configuration& goal,
@@ -49,23 +52,23 @@ std::vector<Configuration> assemble_path(const Problem& problem, const Subdivisi
   return path;
 }
 
-std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest& test,
+std::optional<std::size_t> first_uncertified(const ScaledProblem& problem, SegmentTest& test,
                                              const std::vector<Configuration>& path,
                                              const Terminator& stop) {
   for (std::size_t i = 0; i + 1 < path.size(); ++i)
-    if (stop() || !test.certify(pose_of(problem, path[i]), pose_of(problem, path[i + 1]))) return i;
+    if (stop() || !test.certify(scaled(problem, path[i]), scaled(problem, path[i + 1]))) return i;
   return std::nullopt;
 }
 
-std::optional<std::size_t> certify_shortened(const Problem& problem, ObstacleTree& tree,
+std::optional<std::size_t> certify_shortened(const ScaledProblem& problem, ObstacleTree& tree,
                                              SegmentTest& test, CollisionHint& hint,
                                              std::vector<Configuration>& path,
                                              const Terminator& stop) {
-  const std::vector<Pose> poses = poses_of(problem, path);
-  const double margin = kKeptClearance * sampled_clearance(problem, tree, poses);
+  const std::vector<ScaledConfiguration> configurations = all_scaled(problem, path);
+  const double margin = kKeptClearance * sampled_clearance(problem, tree, configurations);
   const auto shortcut = [&](const std::size_t from, const std::size_t to) {
-    return !stop() && !looks_blocked(hint, poses[from], poses[to]) &&
-           test.certify(poses[from], poses[to], margin);
+    return !stop() && !looks_blocked(hint, configurations[from], configurations[to]) &&
+           test.certify(configurations[from], configurations[to], margin);
   };
   std::vector<Configuration> kept{path.front()};
   std::size_t i = 0;
@@ -85,7 +88,8 @@ std::optional<std::size_t> certify_shortened(const Problem& problem, ObstacleTre
       else
         bad = middle;
     }
-    if (good == i + 1 && (stop() || !test.certify(poses[i], poses[good]))) return i;
+    if (good == i + 1 && (stop() || !test.certify(configurations[i], configurations[good])))
+      return i;
     kept.push_back(path[good]);
     i = good;
   }
@@ -105,9 +109,9 @@ PathReport report_path(std::vector<Configuration> waypoints) {
   return report;
 }
 
-double path_clearance(const Problem& problem, ObstacleTree& tree,
+double path_clearance(const ScaledProblem& problem, ObstacleTree& tree,
                       const std::vector<Configuration>& waypoints) {
-  const ClearanceBounds clearance = bound_clearance(problem, tree, poses_of(problem, waypoints),
+  const ClearanceBounds clearance = bound_clearance(problem, tree, all_scaled(problem, waypoints),
                                                     kClearanceTolerance, kClearanceIntervals);
   return length_to_user(problem, clearance.lower);
 }

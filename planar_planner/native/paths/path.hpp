@@ -1,4 +1,4 @@
-// From a proven channel to a short, certified path.
+// Makes a short, certified path of a proven channel.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 #include "planar_planner/native/cells/subdivision.hpp"
 #include "planar_planner/native/limits.hpp"
 #include "planar_planner/native/world/problem.hpp"
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 #include "segment.hpp"
 
 namespace planner {
@@ -24,14 +24,15 @@ struct PathReport {
 
 // start -> guards and connectors -> goal. links[i] joins channel[i] and channel[i + 1]; owners[k]
 // is the leaf that holds segment k.
-std::vector<Configuration> assemble_path(const Problem& problem, const Subdivision& subdivision,
+std::vector<Configuration> assemble_path(const ScaledProblem& problem,
+                                         const Subdivision& subdivision,
                                          const std::vector<CellId>& channel,
                                          const std::vector<Connector>& links,
                                          const Configuration& start, const Configuration& goal,
                                          std::vector<CellId>& owners);
 
 // The first segment that cannot be certified (or before which the terminator struck), if any.
-std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest& test,
+std::optional<std::size_t> first_uncertified(const ScaledProblem& problem, SegmentTest& test,
                                              const std::vector<Configuration>& path,
                                              const Terminator& stop);
 
@@ -39,7 +40,7 @@ std::optional<std::size_t> first_uncertified(const Problem& problem, SegmentTest
 // half of the clearance found along the path; `hint` spares certificates that must fail.
 // Deterministic; never longer. The first segment that cannot be certified (or before which the
 // terminator struck), if any: `path` is then unchanged.
-std::optional<std::size_t> certify_shortened(const Problem& problem, ObstacleTree& tree,
+std::optional<std::size_t> certify_shortened(const ScaledProblem& problem, ObstacleTree& tree,
                                              SegmentTest& test, CollisionHint& hint,
                                              std::vector<Configuration>& path,
                                              const Terminator& stop);
@@ -47,7 +48,7 @@ std::optional<std::size_t> certify_shortened(const Problem& problem, ObstacleTre
 PathReport report_path(std::vector<Configuration> waypoints);
 
 // Certified lower bound of the clearance along a certified path, user's units.
-double path_clearance(const Problem& problem, ObstacleTree& tree,
+double path_clearance(const ScaledProblem& problem, ObstacleTree& tree,
                       const std::vector<Configuration>& waypoints);
 
 }  // namespace planner

@@ -38,7 +38,7 @@ double wall_depth(const pdg::ConvexPolygon& hull, const pdg::Edge& wall) {
   return depth;
 }
 
-Deepest deepest_pair(const Problem& problem, ObstacleTree& tree, const pdg::Motion& motion,
+Deepest deepest_pair(const ScaledProblem& problem, ObstacleTree& tree, const pdg::Motion& motion,
                      const pdg::Rotation rotation) {
   std::vector<pdg::ConvexPolygon> bodies;
   bodies.reserve(problem.robot.pieces.size());
@@ -59,13 +59,13 @@ Deepest deepest_pair(const Problem& problem, ObstacleTree& tree, const pdg::Moti
 
 }  // namespace
 
-double outside_bounds(const Problem& problem, const Configuration& q) {
+double outside_bounds(const ScaledProblem& problem, const Configuration& q) {
   if (!problem.reference_bounds) return 0.0;
   const Rectangle& r = *problem.reference_bounds;
   return std::max({r.low.x - q.x, q.x - r.high.x, r.low.y - q.y, q.y - r.high.y, 0.0});
 }
 
-Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
+Placement place(const ScaledProblem& problem, ObstacleTree& tree, Labeller& labeller,
                 const Configuration& q) {
   Placement out;
   out.depth = outside_bounds(problem, q);
@@ -73,11 +73,11 @@ Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
     out.state = PlacementState::kOutside;
     return out;
   }
-  const Pose pose = pose_of(problem, q);
+  const Vec2 t = scaled(problem, q).t;
   ConstraintList root;
   labeller.root_list(root);
   const pdg::Motion motion = pdg::make_motion(
-      pose.t, {}, {}, {}, std::max(problem.domain.reach, pdg::norm(pose.t) * pdg::kRadiusPadding));
+      t, {}, {}, {}, std::max(problem.domain.reach, pdg::norm(t) * pdg::kRadiusPadding));
   const pdg::Rotation rotation{std::cos(q.theta), std::sin(q.theta)};
   PosedRobot posed(problem.robot);
   posed.turn_to(rotation);
@@ -93,12 +93,12 @@ Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
     out.depth = length_to_user(problem, std::max(deepest.depth, 0.0));
   out.robot_polygon = problem.robot.polygon_of_piece[deepest.robot];
   const std::uint32_t polygon = tree.polygon_of_piece(deepest.obstacle);
-  out.wall = polygon == kWall || polygon >= problem.user_obstacles;
+  out.wall = polygon == kWall || polygon >= problem.given.obstacles.size();
   out.obstacle = out.wall ? -1 : static_cast<std::int64_t>(polygon);
   return out;
 }
 
-std::optional<Configuration> lift_off(const Problem& problem, SegmentTest& test,
+std::optional<Configuration> lift_off(const ScaledProblem& problem, SegmentTest& test,
                                       const Configuration& q, const double tolerance) {
   const double most = tolerance * (1.0 - kLiftOffUnits * pdg::kUnitRoundoff);
   const auto moved = [&](const int direction, const int k) -> std::optional<Configuration> {
@@ -123,7 +123,7 @@ std::optional<Configuration> lift_off(const Problem& problem, SegmentTest& test,
     for (int i = 0; i < kDirections; ++i) {
       const auto to = moved(i, k);
       if (!to) continue;
-      const auto clearance = test.clearance(pose_of(problem, *to));
+      const auto clearance = test.clearance(scaled(problem, *to));
       if (!clearance || *clearance <= best_clearance) continue;
       best = to;
       best_direction = i;
@@ -133,7 +133,7 @@ std::optional<Configuration> lift_off(const Problem& problem, SegmentTest& test,
     // Further along it as far as the way stays free: room for the search to work with.
     while (--k >= 0) {
       const auto to = moved(best_direction, k);
-      if (!to || !test.certify(pose_of(problem, *best), pose_of(problem, *to))) break;
+      if (!to || !test.certify(scaled(problem, *best), scaled(problem, *to))) break;
       best = to;
     }
     return best;

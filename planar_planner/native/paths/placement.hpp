@@ -8,7 +8,7 @@
 #include "planar_planner/native/labels/label.hpp"
 #include "planar_planner/native/world/obstacle_tree.hpp"
 #include "planar_planner/native/world/problem.hpp"
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 #include "segment.hpp"
 
 namespace planner {
@@ -31,16 +31,16 @@ struct Placement {
 };
 
 // How far the reference point is out of its bounds, user's units; 0 inside.
-double outside_bounds(const Problem& problem, const Configuration& q);
+double outside_bounds(const ScaledProblem& problem, const Configuration& q);
 
-Placement place(const Problem& problem, ObstacleTree& tree, Labeller& labeller,
+Placement place(const ScaledProblem& problem, ObstacleTree& tree, Labeller& labeller,
                 const Configuration& q);
 
 // A free configuration found by translating q by at most `tolerance` (user's units), off the
 // contact by the shortest way and then on into the open: the meaning of the contact tolerance.
 // Every configuration on the straight way there has PD^t <= tolerance. Deterministic; empty if none
 // of the directions tried is free.
-std::optional<Configuration> lift_off(const Problem& problem, SegmentTest& test,
+std::optional<Configuration> lift_off(const ScaledProblem& problem, SegmentTest& test,
                                       const Configuration& q, double tolerance);
 
 }  // namespace planner

@@ -62,14 +62,15 @@ struct SeparatingEdges::Part {
   Box whole;
 };
 
-double box_margin(const Problem& problem, const Vec2 low, const Vec2 high) {
+double box_margin(const ScaledProblem& problem, const Vec2 low, const Vec2 high) {
   const double farthest = std::max(std::max(std::abs(low.x), std::abs(high.x)),
                                    std::max(std::abs(low.y), std::abs(high.y)));
   return pdg::kSeparationErrorUnits * pdg::kUnitRoundoff *
          (problem.domain.reach + problem.robot.reach + 2.0 * farthest);
 }
 
-SweptBox swept_box(const Problem& problem, const Pose& from, const Pose& to) {
+SweptBox swept_box(const ScaledProblem& problem, const ScaledConfiguration& from,
+                   const ScaledConfiguration& to) {
   // A vertex's box on a part of the segment reaches |delta| (|a_x| + |a_y|) beyond its middle
   // place.
   const double half_angle = 0.5 * std::abs(to.theta - from.theta);
@@ -78,8 +79,8 @@ SweptBox swept_box(const Problem& problem, const Pose& from, const Pose& to) {
           {std::max(from.t.x, to.t.x) + reach, std::max(from.t.y, to.t.y) + reach}};
 }
 
-std::optional<std::vector<ProvenInterval>> SeparatingEdges::prove(const Pose& from,
-                                                                  const Pose& to) {
+std::optional<std::vector<ProvenInterval>> SeparatingEdges::prove(const ScaledConfiguration& from,
+                                                                  const ScaledConfiguration& to) {
   from_ = from;
   to_ = to;
   proven_.clear();
@@ -106,7 +107,7 @@ bool SeparatingEdges::prove_part(const Interval interval, const std::vector<std:
                                  const int depth) {
   if (depth > kDeepestPart || proven_.size() >= kMostParts) return false;
   const double middle = 0.5 * (interval.begin + interval.end);
-  const Pose centre = between(from_, to_, middle);
+  const ScaledConfiguration centre = between(from_, to_, middle);
   Part part{motion_along(problem_, from_, to_, interval), {}, {}};
   const pdg::Motion& m = part.motion;
   posed_.turn_to(rotation_at(centre.theta));

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "pdg/native/separation/separation.hpp"
-#include "planar_planner/native/configurations/pose.hpp"
+#include "planar_planner/native/configurations/scaled_configuration.hpp"
 #include "planar_planner/native/world/obstacle_tree.hpp"
 #include "planar_planner/native/world/posed_robot.hpp"
-#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 #include "segment.hpp"
 
 namespace planner {
@@ -29,13 +29,14 @@ struct ProvenInterval {
 
 class SeparatingEdges {
  public:
-  SeparatingEdges(const Problem& problem, ObstacleTree& tree)
+  SeparatingEdges(const ScaledProblem& problem, ObstacleTree& tree)
       : problem_(problem), tree_(tree), posed_(problem.robot) {}
 
-  // Parts that follow one another from 0 to 1; empty if the motion is not free, or if it would take
-  // too many. Whatever SegmentTest certifies passes: this bound shrinks with the square of the
+  // Ablation that follow one another from 0 to 1; empty if the motion is not free, or if it would
+  // take too many. Whatever SegmentTest certifies passes: this bound shrinks with the square of the
   // interval as its does.
-  std::optional<std::vector<ProvenInterval>> prove(const Pose& from, const Pose& to);
+  std::optional<std::vector<ProvenInterval>> prove(const ScaledConfiguration& from,
+                                                   const ScaledConfiguration& to);
 
  private:
   struct Box {
@@ -48,9 +49,9 @@ class SeparatingEdges {
   bool separate(const Part& part, const std::vector<std::uint32_t>& near, ProvenInterval& out);
   bool within_walls(const Part& part);
 
-  const Problem& problem_;
+  const ScaledProblem& problem_;
   ObstacleTree& tree_;
-  Pose from_, to_;
+  ScaledConfiguration from_, to_;
   PosedRobot posed_;
   std::vector<std::uint32_t> gathered_;
   std::vector<ProvenInterval> proven_;
@@ -60,8 +61,9 @@ class SeparatingEdges {
 struct SweptBox {
   Vec2 low, high;
 };
-SweptBox swept_box(const Problem& problem, const Pose& from, const Pose& to);
+SweptBox swept_box(const ScaledProblem& problem, const ScaledConfiguration& from,
+                   const ScaledConfiguration& to);
 // Rounding of the comparison of a swept box with an obstacle's.
-double box_margin(const Problem& problem, Vec2 low, Vec2 high);
+double box_margin(const ScaledProblem& problem, Vec2 low, Vec2 high);
 
 }  // namespace planner

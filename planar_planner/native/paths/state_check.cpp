@@ -5,7 +5,7 @@
 
 #include "pdg/native/tolerances.hpp"
 #include "planar_planner/native/configurations/nearby.hpp"
-#include "planar_planner/native/configurations/pose.hpp"
+#include "planar_planner/native/configurations/scaled_configuration.hpp"
 
 namespace planner {
 
@@ -23,7 +23,7 @@ pdg::Motion anywhere(const Domain& domain) {
   return pdg::make_motion(domain.low + half, {half.x, 0.0}, {0.0, half.y}, {}, domain.reach);
 }
 
-Rectangle user_bounds(const Problem& problem) {
+Rectangle user_bounds(const ScaledProblem& problem) {
   const Domain& d = problem.domain;
   Rectangle r{to_user(problem, d.low), to_user(problem, d.low + d.size)};
   if (problem.reference_bounds) {
@@ -47,7 +47,7 @@ void StateCheck::Shapes::add(const pdg::ConvexPiece& piece, const double error) 
   }
 }
 
-StateCheck::StateCheck(const Problem& problem)
+StateCheck::StateCheck(const ScaledProblem& problem)
     : frame_(problem.frame),
       scale_(std::ldexp(1.0, problem.frame.exponent)),
       scaled_origin_(scale_ * problem.frame.origin),
@@ -68,7 +68,7 @@ StateCheck::StateCheck(const Problem& problem)
     };
     walls_ = Rectangle{{wall(0), wall(2)}, {-wall(1), -wall(3)}};
   }
-  ObstacleTree tree(problem.scene.obstacles, problem.frame, {});
+  ObstacleTree tree(all_obstacles(problem), problem.frame, {});
   if (!tree.empty()) flatten(tree, tree.root(), anywhere(domain_));
 }
 
@@ -147,7 +147,7 @@ bool StateCheck::meets(const Node& node) const {
          node.low.y < high_.y;
 }
 
-// Not separated beyond doubt from some piece of the robot.
+// True if some piece of the robot is not separated from the obstacle beyond doubt.
 bool StateCheck::overlaps(const std::uint32_t obstacle) {
   const Piece& b = obstacles_.pieces[obstacle];
   for (std::size_t i = 0; i < robot_.pieces.size(); ++i) {

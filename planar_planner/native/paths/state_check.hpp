@@ -6,7 +6,7 @@
 
 #include "pdg/native/geometry/motion.hpp"
 #include "planar_planner/native/world/problem.hpp"
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 
 namespace planner {
 
@@ -15,7 +15,7 @@ namespace planner {
 class StateCheck {
  public:
   // Copies what it needs.
-  explicit StateCheck(const Problem& problem);
+  explicit StateCheck(const ScaledProblem& problem);
 
   // True: free, in exact arithmetic, for the very doubles of scene and q (x, y in the user's unit,
   // theta in radians), touching allowed. False: overlapping, out of bounds, not finite, or nearer
@@ -74,7 +74,7 @@ class StateCheck {
   Shapes robot_, obstacles_;
   std::vector<Node> nodes_;
 
-  // Of the configuration being checked.
+  // What belongs to the configuration that is being checked.
   Vec2 t_;
   pdg::Rotation rotation_;
   Vec2 low_, high_;  // bounds of the robot, placed

@@ -13,8 +13,8 @@ namespace planner {
 inline constexpr int kMostIntervals = 2000;
 inline constexpr std::size_t kDeepestInterval = 44;
 
-// For evidence a segment's parts are halved at most so often, and there are at most so many.
-// Chosen, not tuned: far more than a certified segment takes.
+// The parts that evidence cuts a segment into are halved at most so often, and there are at most so
+// many. Chosen, not tuned: far more than a certified segment takes.
 inline constexpr int kDeepestPart = 50;
 inline constexpr std::size_t kMostParts = 1U << 20U;
 
@@ -38,9 +38,6 @@ inline constexpr int kLengths = 7;
 // A hull that is this part of the robot's reach away is far enough for an estimate of the
 // clearance: the polygon in it is not decomposed for a better one. Chosen, not tuned.
 inline constexpr double kFarHull = 0.1;
-
-// Edges of an outline under one box. Chosen, not tuned.
-inline constexpr std::size_t kEdgesPerRun = 16;
 
 // Scenes with at most so many obstacle vertices are decomposed in less time than a first try takes.
 // From a comparison of the two; its figures were not kept.

@@ -19,12 +19,12 @@ namespace planner {
 namespace {
 
 // Are a few configurations of a leg in collision? A certificate that must fail is not begun.
-bool looks_blocked(const Problem& problem, CollisionHint& hint,
+bool looks_blocked(const ScaledProblem& problem, CollisionHint& hint,
                    const std::vector<Configuration>& path) {
   for (const double s : kGlances)
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      const Pose from = pose_of(problem, path[i]);
-      const Pose to = pose_of(problem, path[i + 1]);
+      const ScaledConfiguration from = scaled(problem, path[i]);
+      const ScaledConfiguration to = scaled(problem, path[i + 1]);
       if (hint.gap(between(from, to, s)) < 0.0) return true;
     }
   return false;
@@ -38,13 +38,13 @@ StopReason touches(const bool at_start, const bool workspace) {
 
 }  // namespace
 
-Planner::Planner(Scene scene, const Parts& parts) {
+Planner::Planner(Problem given, const Ablation& ablation) {
   const Clock clock = steady_seconds;
   const Stopwatch watch(clock, preprocessing_);
-  problem_ = make_problem(std::move(scene), parts);
-  tree_ = std::make_unique<ObstacleTree>(problem_.scene.obstacles, problem_.frame, problem_.walls,
-                                         parts.partition);
-  labeller_ = std::make_unique<Labeller>(problem_.robot, *tree_, statistics_, parts);
+  problem_ = make_scaled_problem(std::move(given), ablation);
+  tree_ = std::make_unique<ObstacleTree>(all_obstacles(problem_), problem_.frame, problem_.walls,
+                                         ablation.partition);
+  labeller_ = std::make_unique<Labeller>(problem_.robot, *tree_, statistics_, ablation);
   segments_ = std::make_unique<SegmentTest>(problem_, *labeller_, statistics_);
 }
 
@@ -59,16 +59,35 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   CollisionHint hint(problem_, *tree_);
-  const bool cheap = problem_.parts.cheap;
+  const bool cheap = problem_.ablation.cheap;
   if (!ends_not_free(query) &&
       !(cheap && (cheap_move(query, hint) || disc_answer(query, goal, listener))) &&
-      !(problem_.parts.probe && probe(query, hint)))
+      !(problem_.ablation.probe && probe(query, hint)))
     subdivide(query);
   confirm_absence(query, start, goal);
   remember(query, start, goal);
   settle_lifted_ends(query, start, goal);
   complete_answer(query);
   return std::move(query.answer);
+}
+
+Answer Planner::solve_certified(const Configuration& start, const Goal& goal, const Limits& limits,
+                                const Listener& listener) {
+  Answer answer = solve(start, goal, limits, listener);
+  if (answer.verdict != Verdict::kPath) return answer;
+  Evidence evidence;
+  evidence.waypoints = last_.waypoints;
+  if (collect_segments(problem_, *tree_, evidence)) return answer;
+  last_ = {Verdict::kUndecided, std::nullopt, start, goal, {}};
+  answer.verdict = Verdict::kUndecided;
+  answer.stop_reason = StopReason::kNoEvidence;
+  answer.ends_moved = false;
+  answer.path = {};
+  answer.statistics.decided_by.reset();
+  answer.statistics.path_length = 0.0;
+  answer.statistics.path_turning = 0.0;
+  answer.statistics.waypoints = 0;
+  return answer;
 }
 
 // A colliding end has no path; one in contact is moved off by the contact tolerance, if it allows.
@@ -138,7 +157,7 @@ bool Planner::probe(Query& query, CollisionHint& hint) {
       query.region == nullptr ? std::vector{query.goal}
                               : free_goals(*query.region, hint, problem_, query.start);
   if (goals.empty()) return false;
-  const std::size_t obstacles = problem_.scene.obstacles.size();
+  const std::size_t obstacles = all_obstacles(problem_).size();
   const RrtConnect::Budget budget{
       std::min(kProbeChecks + kProbeChecksPerObstacle * obstacles, kMostProbeChecks),
       std::min(kProbeWork + kProbeWorkPerObstacle * obstacles, kMostProbeWork) + hint.work()};
@@ -163,9 +182,9 @@ bool Planner::probe(Query& query, CollisionHint& hint) {
 
 bool Planner::disc_answer(Query& query, const Goal& goal, const Listener& listener) {
   if (!std::exchange(disc_prepared_, true)) {
-    if (auto scenes = disc_scenes(problem_)) {
-      disc_round_ = std::make_unique<Planner>(std::move(scenes->round), problem_.parts);
-      disc_inside_ = std::make_unique<Planner>(std::move(scenes->inside), problem_.parts);
+    if (auto discs = disc_problems(problem_)) {
+      disc_round_ = std::make_unique<Planner>(std::move(discs->round), problem_.ablation);
+      disc_inside_ = std::make_unique<Planner>(std::move(discs->inside), problem_.ablation);
     }
   }
   if (!disc_round_) return false;
@@ -339,7 +358,7 @@ PathCheck Planner::check_path(std::vector<Configuration> path) {
   PathCheck check;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const bool turns = !problem_.rotation && path[i].theta != path[0].theta;
-    const bool alone = path.size() == 1 && !segments_->is_free(pose_of(problem_, path[i]));
+    const bool alone = path.size() == 1 && !segments_->is_free(scaled(problem_, path[i]));
     if (outside_bounds(problem_, path[i]) == 0.0 && !turns && !alone) continue;
     check.bad_segment = i == 0 ? 0 : static_cast<std::int64_t>(i) - 1;
     return check;

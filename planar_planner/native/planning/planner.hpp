@@ -17,7 +17,7 @@
 #include "planar_planner/native/paths/segment.hpp"
 #include "planar_planner/native/search/query.hpp"
 #include "planar_planner/native/statistics.hpp"
-#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 
 namespace planner {
 
@@ -29,14 +29,18 @@ struct PathCheck {
 // Keeps the subdivision between queries. Not thread-safe.
 class Planner {
  public:
-  explicit Planner(Scene scene, const Parts& parts = {});
+  explicit Planner(Problem given, const Ablation& ablation = {});
   Planner(const Planner&) = delete;  // its parts refer to each other
   Planner& operator=(const Planner&) = delete;
 
-  [[nodiscard]] const Problem& problem() const { return problem_; }
+  [[nodiscard]] const ScaledProblem& problem() const { return problem_; }
   Placement placement(const Configuration& q);
   Answer solve(const Configuration& start, const Goal& goal, const Limits& limits,
                const Listener& listener);
+  // The same, but a path whose evidence cannot be written is left undecided: its room is within the
+  // rounding of the evidence's bounds.
+  Answer solve_certified(const Configuration& start, const Goal& goal, const Limits& limits,
+                         const Listener& listener);
   PathCheck check_path(std::vector<Configuration> path);
   // The evidence of the last answer; computed now, since not every caller asks.
   Evidence evidence();
@@ -77,7 +81,7 @@ class Planner {
     std::vector<Configuration> waypoints;
   };
 
-  Problem problem_;
+  ScaledProblem problem_;
   Last last_;
   Statistics statistics_;  // of the current query
   double preprocessing_ = 0.0;

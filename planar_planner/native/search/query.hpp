@@ -11,7 +11,7 @@
 #include "planar_planner/native/paths/path.hpp"
 #include "planar_planner/native/statistics.hpp"
 #include "planar_planner/native/stopwatch.hpp"
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/problem.hpp"
 
 namespace planner {
 

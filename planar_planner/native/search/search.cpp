@@ -8,7 +8,7 @@
 
 namespace planner {
 
-Search::Search(const Problem& problem, ObstacleTree& tree, Subdivision& subdivision,
+Search::Search(const ScaledProblem& problem, ObstacleTree& tree, Subdivision& subdivision,
                FaceTest& faces, SegmentTest& segments, Statistics& statistics, Query& query)
     : problem_(problem),
       tree_(tree),
@@ -49,7 +49,7 @@ void Search::run() {
     bool connected = false;
     {
       const Stopwatch watch(query_.clock, statistics_.seconds.search);
-      if (!problem_.parts.incremental) channels_.rebuild();
+      if (!problem_.ablation.incremental) channels_.rebuild();
       connected = channels_.find(channel);
     }
     if (!connected && !goal_connected())
@@ -72,7 +72,7 @@ void Search::run() {
     }
     statistics_.channel_length = channel.size();
     if (try_ridge(channel)) return;
-    const bool everywhere = !problem_.parts.guided && !solid(channel);
+    const bool everywhere = !problem_.ablation.guided && !solid(channel);
     if (split_mixed(everywhere ? all_cells() : channel)) continue;
     if (!link(channel)) continue;
     if (finish(channel)) return;
@@ -207,7 +207,7 @@ bool Search::pick_goal(const CellId cell) {
   if (!goals_) return true;
   for (const Configuration& q :
        goals_->region().inside(subdivision_.space(), subdivision_.cell(cell).box)) {
-    if (!segments_.is_free(pose_of(problem_, q))) continue;
+    if (!segments_.is_free(scaled(problem_, q))) continue;
     query_.goal = q;
     return true;
   }

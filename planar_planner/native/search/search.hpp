@@ -13,7 +13,7 @@
 #include "planar_planner/native/cells/subdivision.hpp"
 #include "planar_planner/native/guesses/ridge_attempts.hpp"
 #include "planar_planner/native/paths/segment.hpp"
-#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 #include "query.hpp"
 
 namespace planner {
@@ -21,8 +21,8 @@ namespace planner {
 // Borrows the planner's parts for one query; the subdivision and the known links stay behind.
 class Search {
  public:
-  Search(const Problem& problem, ObstacleTree& tree, Subdivision& subdivision, FaceTest& faces,
-         SegmentTest& segments, Statistics& statistics, Query& query);
+  Search(const ScaledProblem& problem, ObstacleTree& tree, Subdivision& subdivision,
+         FaceTest& faces, SegmentTest& segments, Statistics& statistics, Query& query);
 
   // Concludes the query.
   void run();
@@ -50,7 +50,7 @@ class Search {
   bool stop();
   [[nodiscard]] Progress progress() const;
 
-  const Problem& problem_;
+  const ScaledProblem& problem_;
   ObstacleTree& tree_;
   Subdivision& subdivision_;
   FaceTest& faces_;

@@ -21,22 +21,16 @@ PolygonSet regular_polygon(const double radius) {
   return set;
 }
 
-Scene with_robot(const Problem& problem, PolygonSet robot) {
-  Scene scene = problem.scene;
-  scene.robot = std::move(robot);
-  scene.rotation = false;
-  if (scene.workspace) {  // make_problem appends the outside again
-    PolygonSet obstacles;
-    for (std::size_t i = 0; i < problem.user_obstacles; ++i)
-      obstacles.append(problem.scene.obstacles.polygon(i));
-    scene.obstacles = std::move(obstacles);
-  }
-  return scene;
+Problem with_robot(const ScaledProblem& problem, PolygonSet robot) {
+  Problem out = problem.given;
+  out.robot = std::move(robot);
+  out.rotation = false;
+  return out;
 }
 
 }  // namespace
 
-std::optional<DiscScenes> disc_scenes(const Problem& problem) {
+std::optional<DiscProblems> disc_problems(const ScaledProblem& problem) {
   const Robot& robot = problem.robot;
   if (!problem.rotation || robot.inner_reach <= 0.0 || robot.reach > kDiscRatio * robot.inner_reach)
     return std::nullopt;
@@ -44,8 +38,8 @@ std::optional<DiscScenes> disc_scenes(const Problem& problem) {
   const double outer = length_to_user(problem, robot.reach) * (1.0 + slack) /
                        std::cos(std::numbers::pi / kDiscSides);
   const double inner = length_to_user(problem, robot.inner_reach) * (1.0 - slack);
-  return DiscScenes{with_robot(problem, regular_polygon(outer)),
-                    with_robot(problem, regular_polygon(inner))};
+  return DiscProblems{with_robot(problem, regular_polygon(outer)),
+                      with_robot(problem, regular_polygon(inner))};
 }
 
 }  // namespace planner

@@ -6,17 +6,18 @@
 #include <optional>
 
 #include "problem.hpp"
-#include "scene.hpp"
+#include "scaled_problem.hpp"
 
 namespace planner {
 
-// The scene with a fixed, regular polygon for a robot.
-struct DiscScenes {
-  Scene round;  // holds the robot in every orientation, up to rounding: its path is certified again
-  Scene inside;  // lies inside the robot in every orientation, exactly
+// The problem with a regular polygon that may not turn for a robot.
+struct DiscProblems {
+  Problem
+      round;  // holds the robot in every orientation, up to rounding: its path is certified again
+  Problem inside;  // lies inside the robot in every orientation, exactly
 };
 
-// Only for robots whose discs are close enough to be worth a try.
-std::optional<DiscScenes> disc_scenes(const Problem& problem);
+// Empty unless the robot's discs are so close to it that they are worth a try.
+std::optional<DiscProblems> disc_problems(const ScaledProblem& problem);
 
 }  // namespace planner

@@ -27,9 +27,9 @@ double half_diagonal(const Vec2 low, const Vec2 high) {
 
 }  // namespace
 
-ObstacleTree::ObstacleTree(const PolygonSet& obstacles, const pdg::Frame& frame,
+ObstacleTree::ObstacleTree(const Obstacles& obstacles, const pdg::Frame& frame,
                            const std::vector<pdg::ConvexPiece>& walls, const bool partition)
-    : obstacles_(&obstacles),
+    : obstacles_(obstacles),
       frame_(frame),
       pieces_(walls),
       polygons_(walls.size(), kWall),
@@ -77,15 +77,12 @@ std::optional<std::uint32_t> ObstacleTree::whole_polygon(const std::uint32_t ind
 const pdg::ConvexPiece* ObstacleTree::hull(const std::uint32_t index) {
   const std::optional<std::uint32_t> polygon = whole_polygon(index);
   if (!polygon) return nullptr;
-  if (hulls_.empty()) hulls_.resize(obstacles_->size());
+  if (hulls_.empty()) hulls_.resize(obstacles_.size());
   std::optional<pdg::ConvexPiece>& hull = hulls_[*polygon];
   if (!hull) {
-    const std::uint32_t outer = obstacles_->polygon_starts[*polygon];
-    const auto begin = obstacles_->points.begin() + obstacles_->ring_starts[outer];
-    const auto end = obstacles_->points.begin() + obstacles_->ring_starts[outer + 1];
-    const auto vertices = static_cast<std::size_t>(end - begin);
-    if (vertices < kHullVertices || vertices > kMaxPieceVertices) return nullptr;
-    hull = pdg::make_piece(pdg::convex_hull(std::vector<Vec2>(begin, end)), frame_);
+    const std::span<const Vec2> ring = obstacles_.outer_ring(*polygon);
+    if (ring.size() < kHullVertices || ring.size() > kMaxPieceVertices) return nullptr;
+    hull = pdg::make_piece(pdg::convex_hull(std::vector<Vec2>(ring.begin(), ring.end())), frame_);
   }
   return &*hull;
 }
@@ -107,7 +104,7 @@ void ObstacleTree::expand_all() {
 void ObstacleTree::decompose(const std::uint32_t index) {
   const std::uint32_t polygon = items_[nodes_[index].begin].id;
   const auto begin = static_cast<std::uint32_t>(items_.size());
-  for (const pdg::ConvexPolygon& part : planner_pieces(obstacles_->polygon(polygon), partition_)) {
+  for (const pdg::ConvexPolygon& part : planner_pieces(obstacles_.polygon(polygon), partition_)) {
     const pdg::ConvexPiece piece = pdg::make_piece(part, frame_);
     Item item;
     item.low = item.high = piece.edges[0].vertex;

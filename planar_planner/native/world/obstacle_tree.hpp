@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pdg/native/geometry/convex_piece.hpp"
-#include "scene.hpp"
+#include "problem.hpp"
 
 namespace planner {
 
@@ -25,8 +25,8 @@ struct TreeNode {
 
 class ObstacleTree {
  public:
-  // `obstacles` must outlive the tree.
-  ObstacleTree(const PolygonSet& obstacles, const pdg::Frame& frame,
+  // What `obstacles` stands for must outlive the tree.
+  ObstacleTree(const Obstacles& obstacles, const pdg::Frame& frame,
                const std::vector<pdg::ConvexPiece>& walls, bool partition = true);
 
   [[nodiscard]] std::uint32_t root() const { return 0; }
@@ -62,7 +62,7 @@ class ObstacleTree {
   void decompose(std::uint32_t node);
   void halve(std::uint32_t node);
 
-  const PolygonSet* obstacles_;
+  Obstacles obstacles_;
   pdg::Frame frame_;
   std::vector<pdg::ConvexPiece> pieces_;
   std::vector<std::uint32_t> polygons_;

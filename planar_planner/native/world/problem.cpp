@@ -1,107 +1,38 @@
 #include "problem.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "planar_planner/native/tolerances.hpp"
+#include <limits>
 
 namespace planner {
 
-namespace {
-
-Rectangle intersection(const Rectangle& a, const Rectangle& b) {
-  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
-          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
-}
-
-// The plane between the workspace and a larger rectangle, and the workspace's holes, as obstacles.
-// The rectangle only has to reach beyond the bounds; the walls keep the robot inside them.
-void append_outside(Scene& scene, const Polygon& workspace, const Rectangle& bounds) {
-  const double margin = std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
-  const Vec2 low{bounds.low.x - margin, bounds.low.y - margin};
-  const Vec2 high{bounds.high.x + margin, bounds.high.y + margin};
-  scene.obstacles.append({{{low, {high.x, low.y}, high, {low.x, high.y}}, workspace.rings[0]}});
-  for (std::size_t r = 1; r < workspace.rings.size(); ++r)
-    scene.obstacles.append({{workspace.rings[r]}});
-}
-
-pdg::Frame make_frame(const Rectangle& bounds) {
-  pdg::Frame frame;
-  frame.origin = {0.5 * bounds.low.x + 0.5 * bounds.high.x,
-                  0.5 * bounds.low.y + 0.5 * bounds.high.y};
-  const double half =
-      std::max(0.5 * bounds.high.x - 0.5 * bounds.low.x, 0.5 * bounds.high.y - 0.5 * bounds.low.y);
-  frame.exponent = half > 0.0 ? -std::ilogb(half) - 1 : 0;
-  return frame;
-}
-
-// Where the reference point can be at all: a body point at distance hull_distance lies in the box,
-// or a whole disc of radius inner_reach does.
-Rectangle reachable(const Rectangle& box, const Robot& robot) {
-  const double grow = robot.hull_distance;
-  const double shrink = robot.inner_reach;
-  const double by = grow > 0.0 ? grow : -shrink;
-  Rectangle out{{box.low.x - by, box.low.y - by}, {box.high.x + by, box.high.y + by}};
-  if (out.low.x >= out.high.x || out.low.y >= out.high.y) out = box;
+Polygon PolygonSet::polygon(const std::size_t index) const {
+  Polygon out;
+  for (std::uint32_t r = polygon_starts[index]; r < polygon_starts[index + 1]; ++r)
+    out.rings.emplace_back(points.begin() + ring_starts[r], points.begin() + ring_starts[r + 1]);
   return out;
 }
 
-Domain make_domain(const Rectangle& box) {
-  Domain domain;
-  constexpr double slack = kDomainUnits * pdg::kUnitRoundoff;
-  domain.low = {box.low.x - slack, box.low.y - slack};
-  domain.size = {box.high.x - box.low.x + 2 * slack, box.high.y - box.low.y + 2 * slack};
-  const double x = std::max(std::abs(box.low.x), std::abs(box.high.x));
-  const double y = std::max(std::abs(box.low.y), std::abs(box.high.y));
-  domain.reach = (pdg::norm({x, y}) + 4 * slack) * pdg::kRadiusPadding;
-  return domain;
+std::span<const Vec2> PolygonSet::outer_ring(const std::size_t index) const {
+  const std::uint32_t outer = polygon_starts[index];
+  return std::span(points).subspan(ring_starts[outer], ring_starts[outer + 1] - ring_starts[outer]);
 }
 
-std::vector<pdg::ConvexPiece> make_walls(const Rectangle& box) {
-  return {pdg::make_half_plane({1, 0}, box.low.x), pdg::make_half_plane({-1, 0}, -box.high.x),
-          pdg::make_half_plane({0, 1}, box.low.y), pdg::make_half_plane({0, -1}, -box.high.y)};
-}
-
-}  // namespace
-
-Problem make_problem(Scene scene, const Parts& parts) {
-  Problem problem;
-  problem.parts = parts;
-  problem.user_obstacles = scene.obstacles.size();
-  problem.rotation = scene.rotation;
-  problem.reference_bounds = scene.reference_bounds;
-  std::optional<Rectangle> body = scene.box;
-  if (scene.workspace) {
-    PolygonSet outline;
-    outline.append(*scene.workspace);
-    body = outline.bounds(0);
-    append_outside(scene, *scene.workspace, *body);
+Rectangle PolygonSet::bounds(const std::size_t index) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Rectangle box{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
+  for (const Vec2 p : outer_ring(index)) {  // holes lie inside
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
   }
-  const Rectangle bounds = scene.reference_bounds.value_or(Rectangle{});
-  problem.frame = make_frame(body.value_or(bounds));
-  problem.robot = make_robot(scene.robot, problem.frame.exponent, parts.partition);
+  return box;
+}
 
-  const auto framed = [&](const Rectangle& r) {
-    return Rectangle{to_planner(problem, r.low), to_planner(problem, r.high)};
-  };
-  if (body) problem.walls = make_walls(framed(*body));
-  Rectangle domain = body ? reachable(framed(*body), problem.robot) : framed(bounds);
-  if (body && scene.reference_bounds) {
-    const Rectangle both = intersection(domain, framed(bounds));
-    if (both.low.x <= both.high.x && both.low.y <= both.high.y) domain = both;
+void PolygonSet::append(const Polygon& polygon) {
+  for (const pdg::Ring& ring : polygon.rings) {
+    points.insert(points.end(), ring.begin(), ring.end());
+    ring_starts.push_back(static_cast<std::uint32_t>(points.size()));
   }
-  problem.domain = make_domain(domain);
-  problem.scene = std::move(scene);
-  return problem;
-}
-
-Vec2 to_user(const Problem& problem, const Vec2 p) {
-  return {std::ldexp(p.x, -problem.frame.exponent) + problem.frame.origin.x,
-          std::ldexp(p.y, -problem.frame.exponent) + problem.frame.origin.y};
-}
-
-double length_to_user(const Problem& problem, const double length) {
-  return std::ldexp(length, -problem.frame.exponent);
+  polygon_starts.push_back(static_cast<std::uint32_t>(ring_starts.size() - 1));
 }
 
 }  // namespace planner

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pdg/native/geometry/convex_piece.hpp"
-#include "scene.hpp"
+#include "problem.hpp"
 
 namespace planner {
 

@@ -41,6 +41,7 @@ class StopReason(enum.StrEnum):
     GOAL_TOUCHES_OBSTACLE = "goal_touches_obstacle"
     GOAL_TOUCHES_WORKSPACE = "goal_touches_workspace"
     MOVED_ENDS = "moved_ends"
+    NO_EVIDENCE = "no_evidence"
     LOST_CHANNEL = "lost_channel"
     def __str__(self) -> str: ...
 

@@ -75,8 +75,18 @@ def load_scene(scene: SceneLike, importing: ImportOptions | None = None) -> Scen
 
 def _from_file(path: Path, options: ImportOptions) -> Scene:
     """Read a file in any format; ends of the command line are in the file's frame."""
+    return scene_of_bytes(file_bytes(path, str(path)), path, options)
+
+
+def scene_of_bytes(data: bytes, path: Path, options: ImportOptions) -> Scene:
+    """Return the scene of a file's content in any format; `path` names it and lends its folder.
+
+    Raises
+    ------
+    SceneError
+        If the content is no scene and of no known format, or something in it is wrong.
+    """
     source = str(path)
-    data = file_bytes(path, source)
     kind = registry.format_of(path, data)
     if kind is None:
         content = parse(data, source)
@@ -91,7 +101,7 @@ def _with_ends(scene: Scene, options: ImportOptions) -> Scene:
     given = replace(options, start=None, goal=None)
     for field in dataclasses.fields(given):
         if getattr(given, field.name) != field.default:
-            name = "role" if field.name == "roles" else field.name
+            name = "role" if field.name == "roles" else field.name.replace("_", "-")
             raise SceneError(
                 f"is a scene file, and --{name} is for files in other formats", source=scene.source
             )

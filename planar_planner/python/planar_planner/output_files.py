@@ -6,7 +6,7 @@ import contextlib
 import os
 import stat
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TextIO
 
@@ -86,6 +86,40 @@ def check_writable(file: Path) -> None:
         raise OutputError(f"cannot write {file}: {reason}") from None
 
 
+def check_distinct(inputs: Mapping[str, Path], outputs: Mapping[str, Path]) -> None:
+    """Refuse to write one file twice, or onto what is read; devices and pipes may repeat.
+
+    Parameters
+    ----------
+    inputs, outputs : mapping of str to Path
+        The files, by what a message calls them.
+
+    Raises
+    ------
+    OutputError
+        If two of the files are the same.
+    """
+    seen = {_identity(file): name for name, file in inputs.items()}
+    for name, file in outputs.items():
+        with contextlib.suppress(OSError, ValueError, RuntimeError):
+            if file.exists() and not file.is_file():
+                continue
+        other = seen.setdefault(_identity(file), name)
+        if other != name:
+            raise OutputError(f"cannot write {file}: {other} and {name} are the same file")
+
+
+def _identity(file: Path) -> object:
+    """Return what two names of one file share."""
+    try:
+        if file.exists():
+            status = file.stat()
+            return status.st_dev, status.st_ino
+        return file.resolve()
+    except (OSError, ValueError, RuntimeError):
+        return file
+
+
 @contextlib.contextmanager
 def written_aside(file: Path) -> Iterator[Path]:
     """Give a path to write to; rename it to `file` at the end, remove it on any error.
@@ -100,11 +134,11 @@ def written_aside(file: Path) -> Iterator[Path]:
     """
     aside: Path | None = None
     try:
-        target = file.resolve()
-        mode = target.stat().st_mode if target.exists() else None
+        mode = file.stat().st_mode if file.exists() else None
         if mode is not None and not stat.S_ISREG(mode):
-            yield target
+            yield file  # as it is called: /dev/stdout leads to a pipe, which has no path
             return
+        target = file.resolve()
         aside = target.with_name(f".planar-planner-{os.getpid()}{target.suffix}")
         yield aside
         if mode is not None:

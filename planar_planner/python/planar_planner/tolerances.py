@@ -31,7 +31,7 @@ six digits: finer steps would show nothing."""
 BOUNDS_SLACK = 1.0 + 2.0**-20
 """Factor on the robot's radius when the unbounded plane is given bounds; it covers the rounding of
 the radius and of the bounds (some u), and anything above 1 keeps the proof in
-``formats.assemble.unbounded``."""
+``scene.plane.bounds_of_plane``."""
 
 CHIPMUNK_ROUNDINGS = 32
 """Units of roundoff, of the largest coordinate, by which a depth of Chipmunk may be wrong.

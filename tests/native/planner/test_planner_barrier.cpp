@@ -201,8 +201,9 @@ TEST(PlannerBarrier, EdgesSeparateTheirPairsAllAlongTheSegment) {
     const worlds::Recipe recipe = worlds::recipes()[seed % worlds::recipes().size()];
     World world(worlds::random_scene(random, recipe));
     const auto any = [&](const double size) { return worlds::uniform(random, -size, size); };
-    const planner::Pose from{{any(0.6), any(0.6)}, any(4.0)};
-    const planner::Pose to{{from.t.x + any(0.3), from.t.y + any(0.3)}, from.theta + any(1.0)};
+    const planner::ScaledConfiguration from{{any(0.6), any(0.6)}, any(4.0)};
+    const planner::ScaledConfiguration to{{from.t.x + any(0.3), from.t.y + any(0.3)},
+                                          from.theta + any(1.0)};
     planner::SegmentTest segments(world.problem, world.labeller, world.statistics);
     planner::SeparatingEdges separating(world.problem, world.tree);
     const auto proof = separating.prove(from, to);
@@ -218,7 +219,7 @@ TEST(PlannerBarrier, EdgesSeparateTheirPairsAllAlongTheSegment) {
       edges += part.edges.size();
       for (int i = 0; i <= 4; ++i) {
         const double s = part.interval.begin + 0.25 * i * (part.interval.end - part.interval.begin);
-        const planner::Pose q = between(from, to, s);
+        const planner::ScaledConfiguration q = between(from, to, s);
         ASSERT_GE(world.oracle.separation({q.t.x, q.t.y, q.theta}), -1e-15L);
       }
     }

@@ -11,8 +11,8 @@ namespace {
 
 using planner::CollisionHint;
 using planner::Configuration;
-using planner::Pose;
 using planner::RrtConnect;
+using planner::ScaledConfiguration;
 using worlds::Random;
 using worlds::Real;
 using worlds::World;
@@ -24,13 +24,13 @@ constexpr double kSpacing = 0.02;
 
 const planner::Terminator never = [] { return false; };
 
-Pose random_pose(Random& random, const planner::Domain& domain) {
+ScaledConfiguration random_pose(Random& random, const planner::Domain& domain) {
   return {{domain.low.x + worlds::uniform(random, -0.02, 1.02) * domain.size.x,
            domain.low.y + worlds::uniform(random, -0.02, 1.02) * domain.size.y},
           worlds::uniform(random, -10.0, 10.0)};
 }
 
-bool in_domain(const planner::Domain& domain, const Pose& pose) {
+bool in_domain(const planner::Domain& domain, const ScaledConfiguration& pose) {
   const pdg::Vec2 p = pose.t - domain.low;
   return p.x >= 0.0 && p.y >= 0.0 && p.x <= domain.size.x && p.y <= domain.size.y;
 }
@@ -46,7 +46,7 @@ void compare_with_oracle(const std::size_t small) {
     World world(worlds::random_scene(random, recipes[seed % recipes.size()]));
     CollisionHint hint(world.problem, world.tree, small);
     for (int i = 0; i < 400; ++i) {
-      const Pose pose = random_pose(random, world.problem.domain);
+      const ScaledConfiguration pose = random_pose(random, world.problem.domain);
       const Real separation = world.oracle.separation({pose.t.x, pose.t.y, pose.theta});
       const bool collides = (hint.gap(pose) < 0.0);
       if (!in_domain(world.problem.domain, pose)) {
@@ -58,7 +58,7 @@ void compare_with_oracle(const std::size_t small) {
     }
     ASSERT_EQ(hint.calls(), 400U);
     if (small == 0) {
-      ASSERT_EQ(world.tree.untouched_polygons(), world.problem.scene.obstacles.size());
+      ASSERT_EQ(world.tree.untouched_polygons(), all_obstacles(world.problem).size());
     }
   }
   EXPECT_GT(free, 1000);
@@ -83,14 +83,15 @@ TEST(PlannerFirstTry, GapsAreNeverTooLarge) {
     World world(worlds::random_scene(random, recipes[seed % recipes.size()]));
     CollisionHint hint(world.problem, world.tree, seed % 2 == 0 ? 0 : planner::kSmallScene);
     for (int i = 0; i < 400; ++i) {
-      const Pose pose = random_pose(random, world.problem.domain);
+      const ScaledConfiguration pose = random_pose(random, world.problem.domain);
       const double gap = hint.gap(pose);
       if (gap <= 0.0) continue;
       const double share = worlds::uniform(random, 0.0, 1.0);
       const double angle = worlds::uniform(random, 0.0, 6.3);
       const double turn = (1.0 - share) * gap / world.problem.robot.reach;
-      const Pose there{pose.t + share * gap * pdg::Vec2{std::cos(angle), std::sin(angle)},
-                       pose.theta + (i % 2 == 0 ? turn : -turn)};
+      const ScaledConfiguration there{
+          pose.t + share * gap * pdg::Vec2{std::cos(angle), std::sin(angle)},
+          pose.theta + (i % 2 == 0 ? turn : -turn)};
       const Real separation = world.oracle.separation({there.t.x, there.t.y, there.theta});
       ASSERT_GT(separation, -kBeyondRounding) << gap;
       ++moved;
@@ -105,7 +106,7 @@ TEST(PlannerFirstTry, OutlinesGiveWayToPieces) {
   World world(
       worlds::random_scene(random, {.obstacles = 6, .convex = false, .obstacle_size = 3.0}));
   CollisionHint outlines(world.problem, world.tree, 0);
-  std::vector<Pose> poses;
+  std::vector<ScaledConfiguration> poses;
   std::vector<bool> before;
   for (int i = 0; i < 500; ++i) {
     poses.push_back(random_pose(random, world.problem.domain));
@@ -117,7 +118,7 @@ TEST(PlannerFirstTry, OutlinesGiveWayToPieces) {
 
 std::optional<Configuration> free_place(World& world, CollisionHint& hint, Random& random) {
   for (int i = 0; i < 200; ++i) {
-    const Pose pose = random_pose(random, world.problem.domain);
+    const ScaledConfiguration pose = random_pose(random, world.problem.domain);
     if (!(hint.gap(pose) < 0.0)) return planner::configuration_of(world.problem, pose);
   }
   return std::nullopt;
@@ -125,8 +126,8 @@ std::optional<Configuration> free_place(World& world, CollisionHint& hint, Rando
 
 void check_path(World& world, CollisionHint& hint, const std::vector<Configuration>& path) {
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const Pose a = planner::pose_of(world.problem, path[i]);
-    const Pose b = planner::pose_of(world.problem, path[i + 1]);
+    const ScaledConfiguration a = planner::scaled(world.problem, path[i]);
+    const ScaledConfiguration b = planner::scaled(world.problem, path[i + 1]);
     ASSERT_LE(std::abs(b.theta - a.theta), std::numbers::pi * (1.0 + 1e-9));
     const double way =
         pdg::norm(b.t - a.t) + world.problem.robot.reach * std::abs(b.theta - a.theta);
@@ -154,7 +155,7 @@ TEST(PlannerFirstTry, PathsRunFromStartToGoalWithinTheBudget) {
     if (!start || !goal) continue;
     if (!recipe.rotation) {
       goal->theta = start->theta;
-      if (places.gap(planner::pose_of(world.problem, *goal)) < 0.0) continue;
+      if (places.gap(planner::scaled(world.problem, *goal)) < 0.0) continue;
     }
     CollisionHint hint(world.problem, world.tree);
     const auto path = RrtConnect(world.problem, hint, kBudget, *start, *goal).find(kSpacing, never);
@@ -216,7 +217,7 @@ TEST(PlannerFirstTry, GoesOnWithoutARejectedSegment) {
 }
 
 TEST(PlannerFirstTry, SpendsItsBudgetWhereThereIsNoWay) {
-  planner::Scene scene;
+  planner::Problem scene;
   scene.robot.append({{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}}});
   scene.obstacles.append({{{{4.0, -1.0}, {6.0, -1.0}, {6.0, 11.0}, {4.0, 11.0}}}});
   scene.box = planner::Rectangle{{0.0, 0.0}, {10.0, 10.0}};

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "planar_planner/native/configurations/goal_region.hpp"
-#include "planar_planner/native/configurations/pose.hpp"
+#include "planar_planner/native/configurations/scaled_configuration.hpp"
 
 namespace {
 
@@ -20,11 +20,11 @@ using planner::Vec2;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-planner::Problem room() {
-  planner::Scene scene;
+planner::ScaledProblem room() {
+  planner::Problem scene;
   scene.robot.append({{{{-0.1, -0.1}, {0.1, -0.1}, {0.1, 0.1}, {-0.1, 0.1}}}});
   scene.box = planner::Rectangle{{100.0, -20.0}, {110.0, -10.0}};
-  return planner::make_problem(std::move(scene));
+  return planner::make_scaled_problem(std::move(scene));
 }
 
 // An L about (105, -15), wound either way.
@@ -50,7 +50,7 @@ CellBox random_box(std::mt19937& random, const int most) {
 }
 
 // A configuration of the box, by parts of its extents; theta in [0, 2 pi].
-Configuration part_of(const planner::Problem& problem, const CellBox& box, const double x,
+Configuration part_of(const planner::ScaledProblem& problem, const CellBox& box, const double x,
                       const double y, const double theta) {
   const auto along = [&](const planner::Axis axis, const double part) {
     return std::ldexp(
@@ -63,7 +63,7 @@ Configuration part_of(const planner::Problem& problem, const CellBox& box, const
 }
 
 TEST(GoalRegion, CellsThatHoldAGoalAreNotTakenForOthers) {
-  const planner::Problem problem = room();
+  const planner::ScaledProblem problem = room();
   const planner::CellSpace space{problem.domain, true, 0.0};
   std::mt19937 random(11);
   std::uniform_real_distribution<double> part(0.0, 1.0);
@@ -92,7 +92,7 @@ TEST(GoalRegion, CellsThatHoldAGoalAreNotTakenForOthers) {
 }
 
 TEST(GoalRegion, GuessesAreInTheRegion) {
-  const planner::Problem problem = room();
+  const planner::ScaledProblem problem = room();
   const planner::CellSpace space{problem.domain, true, 0.0};
   std::mt19937 random(12);
   std::uniform_real_distribution<double> part(0.0, 1.0);
@@ -119,7 +119,7 @@ TEST(GoalRegion, GuessesAreInTheRegion) {
 }
 
 TEST(GoalRegion, ACellThatTouchesMayMeetAndOneApartDoesNot) {
-  const planner::Problem problem = room();
+  const planner::ScaledProblem problem = room();
   const planner::CellSpace space{problem.domain, true, 0.0};
   CellBox box;
   box.level = {1, 1, 2};  // the lower left quarter: its corner is the middle of the domain

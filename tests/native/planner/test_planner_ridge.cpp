@@ -15,8 +15,8 @@ namespace {
 using planner::Height;
 using planner::LinearTerm;
 using planner::PairAxis;
-using planner::Pose;
 using planner::RidgeClimb;
+using planner::ScaledConfiguration;
 using planner::Step3;
 using worlds::Random;
 using worlds::Real;
@@ -83,10 +83,10 @@ TEST(PlannerRidge, StepsGoToWhereTermsBalanceAndNoFarther) {
 
 // All axes of all pairs.
 std::vector<PairAxis> all_axes(const World& world, const RidgeClimb& climb) {
-  planner::ObstacleTree tree(world.problem.scene.obstacles, world.problem.frame,
+  planner::ObstacleTree tree(all_obstacles(world.problem), world.problem.frame,
                              world.problem.walls);
   planner::Statistics statistics;
-  planner::Parts flat;
+  planner::Ablation flat;
   flat.hierarchy = false;
   planner::Labeller labeller(world.problem.robot, tree, statistics, flat);
   planner::ConstraintList root;
@@ -110,14 +110,14 @@ TEST(PlannerRidge, ClimbsEndHigherAndTellTheClearance) {
     const std::vector<PairAxis> axes = all_axes(world, climb);
     const planner::Domain& d = world.problem.domain;
     for (int i = 0; i < 20; ++i) {
-      const Pose from{{d.low.x + d.size.x * worlds::uniform(random, 0.0, 1.0),
-                       d.low.y + d.size.y * worlds::uniform(random, 0.0, 1.0)},
-                      worlds::uniform(random, -3.0, 3.0)};
-      const auto height = [&](const Pose& q) {
+      const ScaledConfiguration from{{d.low.x + d.size.x * worlds::uniform(random, 0.0, 1.0),
+                                      d.low.y + d.size.y * worlds::uniform(random, 0.0, 1.0)},
+                                     worlds::uniform(random, -3.0, 3.0)};
+      const auto height = [&](const ScaledConfiguration& q) {
         return static_cast<double>(world.oracle.separation({q.t.x, q.t.y, q.theta}));
       };
       const Height top = climb.climb(from, worlds::uniform(random, 0.01, 0.5), axes);
-      EXPECT_NEAR(top.clearance, height(top.pose), 1e-12);
+      EXPECT_NEAR(top.clearance, height(top.q), 1e-12);
       EXPECT_GE(top.clearance, height(from) - 1e-12);
       if (top.clearance > height(from) + 1e-6) ++higher;
     }
@@ -126,7 +126,7 @@ TEST(PlannerRidge, ClimbsEndHigherAndTellTheClearance) {
 }
 
 // A rectangle 3 x 1 in a slot 2 long, turned by `angle`; the ridge is the slot's middle line.
-planner::Scene slot(const double angle, const double clearance) {
+planner::Problem slot(const double angle, const double clearance) {
   const auto turned = [&](const pdg::Vec2 p) {
     return pdg::Vec2{std::cos(angle) * p.x - std::sin(angle) * p.y,
                      std::sin(angle) * p.x + std::cos(angle) * p.y};
@@ -135,7 +135,7 @@ planner::Scene slot(const double angle, const double clearance) {
     return pdg::Polygon{
         {{turned({-1.0, y0}), turned({1.0, y0}), turned({1.0, y1}), turned({-1.0, y1})}}};
   };
-  planner::Scene scene;
+  planner::Problem scene;
   scene.robot.append(pdg::Polygon{{{{-1.5, -0.5}, {1.5, -0.5}, {1.5, 0.5}, {-1.5, 0.5}}}});
   scene.box = planner::Rectangle{{-10.0, -10.0}, {10.0, 10.0}};
   scene.obstacles.append(block(0.5 * (1.0 + clearance), 12.0));
@@ -154,13 +154,13 @@ TEST(PlannerRidge, ClimbsReachTheMiddleOfASlot) {
       const double widest = std::ldexp(0.5 * clearance, world.problem.frame.exponent);
       Random random(5);
       for (int i = 0; i < 50; ++i) {
-        const Pose from{
+        const ScaledConfiguration from{
             {worlds::uniform(random, -0.01, 0.01), worlds::uniform(random, -0.01, 0.01)},
             angle + worlds::uniform(random, -0.1, 0.1)};
         const Height top = climb.climb(from, 0.2, axes);
         EXPECT_GE(top.clearance, 0.5 * widest) << angle << ' ' << clearance;
         EXPECT_LE(top.clearance, widest + 1e-14);
-        EXPECT_LT(pdg::norm(top.pose.t - from.t), 0.05);
+        EXPECT_LT(pdg::norm(top.q.t - from.t), 0.05);
       }
     }
 }

@@ -7,19 +7,20 @@
 
 namespace {
 
-using planner::Pose;
+using planner::ScaledConfiguration;
 using worlds::Random;
 using worlds::Real;
 using worlds::World;
 
-worlds::Point point_at(const Pose& from, const Pose& to, const Real s) {
+worlds::Point point_at(const ScaledConfiguration& from, const ScaledConfiguration& to,
+                       const Real s) {
   return {from.t.x + s * (to.t.x - Real{from.t.x}), from.t.y + s * (to.t.y - Real{from.t.y}),
           from.theta + s * (to.theta - Real{from.theta})};
 }
 
 // Least separation along the motion: dense samples, then golden sections about the best of them.
-Real least_along(const World& world, const Pose& from, const Pose& to, const int samples,
-                 const bool distance = false) {
+Real least_along(const World& world, const ScaledConfiguration& from, const ScaledConfiguration& to,
+                 const int samples, const bool distance = false) {
   const auto value = [&](const Real s) {
     const worlds::Point q = point_at(from, to, s);
     return distance ? world.oracle.distance(q) : world.oracle.separation(q);
@@ -42,7 +43,7 @@ Real least_along(const World& world, const Pose& from, const Pose& to, const int
   return best;
 }
 
-Pose random_pose(Random& random, const World& world, const double turn) {
+ScaledConfiguration random_pose(Random& random, const World& world, const double turn) {
   const planner::Domain& d = world.problem.domain;
   return {{d.low.x + d.size.x * worlds::uniform(random, 0.0, 1.0),
            d.low.y + d.size.y * worlds::uniform(random, 0.0, 1.0)},
@@ -61,9 +62,9 @@ TEST(PlannerSegments, CertifiedMotionsAreFree) {
     planner::SegmentTest test(world.problem, world.labeller, world.statistics);
     for (int i = 0; i < 60; ++i) {
       const double turn = i % 4 == 0 ? 12.0 : i % 4 == 1 ? 1e4 : 2.0;
-      const Pose from = random_pose(random, world, turn);
+      const ScaledConfiguration from = random_pose(random, world, turn);
       if (world.oracle.separation(point_at(from, from, 0)) <= 0) continue;
-      Pose to = random_pose(random, world, turn);
+      ScaledConfiguration to = random_pose(random, world, turn);
       if (i % 4 == 1) to.theta = from.theta + worlds::uniform(random, -3.0, 3.0);
       if (i % 3 != 0) {  // short ones are free more often
         const double scale = std::exp(worlds::uniform(random, -6.0, -0.5));
@@ -99,8 +100,8 @@ TEST(PlannerSegments, LeastClearanceIsATrueBoundAndMarginsAreKept) {
     World world(worlds::random_scene(random, recipe));
     planner::SegmentTest test(world.problem, world.labeller, world.statistics);
     for (int i = 0; i < 30; ++i) {
-      const Pose from = random_pose(random, world, 3.0);
-      Pose to = random_pose(random, world, 3.0);
+      const ScaledConfiguration from = random_pose(random, world, 3.0);
+      ScaledConfiguration to = random_pose(random, world, 3.0);
       const double scale = std::exp(worlds::uniform(random, -5.0, -0.5));
       to = {from.t + scale * (to.t - from.t), from.theta + scale * (to.theta - from.theta)};
       if (!test.certify(from, to)) continue;
@@ -134,7 +135,7 @@ TEST(PlannerSegments, SingleConfigurations) {
     World world(worlds::random_scene(random, recipes[seed % recipes.size()]));
     planner::SegmentTest test(world.problem, world.labeller, world.statistics);
     for (int i = 0; i < 60; ++i) {
-      const Pose q = random_pose(random, world, i % 2 == 0 ? 3.0 : 1e6);
+      const ScaledConfiguration q = random_pose(random, world, i % 2 == 0 ? 3.0 : 1e6);
       const Real separation = world.oracle.separation(point_at(q, q, 0));
       if (std::abs(separation) < 1e-7L) continue;
       ++decided;

@@ -10,7 +10,7 @@ using planner::Answer;
 using planner::Configuration;
 using planner::Limits;
 using planner::Planner;
-using planner::Scene;
+using planner::Problem;
 using planner::Verdict;
 
 pdg::Polygon box(const double x, const double y, const double half_x, const double half_y) {
@@ -21,8 +21,8 @@ pdg::Polygon box(const double x, const double y, const double half_x, const doub
 }
 
 // A square of side 1 in a box of 10 by 10, in the user's `unit`.
-Scene room(const double unit = 1.0) {
-  Scene scene;
+Problem room(const double unit = 1.0) {
+  Problem scene;
   scene.robot.append(box(0, 0, 0.5 * unit, 0.5 * unit));
   scene.box = planner::Rectangle{{0, 0}, {10 * unit, 10 * unit}};
   return scene;
@@ -87,7 +87,7 @@ TEST(PlannerSmall, HugeAnglesNearAWall) {
 TEST(PlannerSmall, TinyAndHugeUnitsAnswerAlike) {
   for (const int exponent : {0, -100, 100, -200, 200}) {
     const double unit = std::ldexp(1.0, exponent);
-    Scene scene = room(unit);
+    Problem scene = room(unit);
     scene.obstacles.append(box(5 * unit, 3 * unit, 0.5 * unit, 3 * unit));
     scene.obstacles.append(box(5 * unit, 9.25 * unit, 0.5 * unit, 1.25 * unit));
     Planner planner(std::move(scene));
@@ -99,7 +99,7 @@ TEST(PlannerSmall, TinyAndHugeUnitsAnswerAlike) {
 }
 
 TEST(PlannerSmall, DomainThatJustHoldsTheRobot) {
-  Scene scene;
+  Problem scene;
   scene.robot.append(box(0, 0, 0.5, 0.5));
   scene.box = planner::Rectangle{{0, 0}, {1.001, 1.001}};
   Planner planner(std::move(scene));
@@ -112,7 +112,7 @@ TEST(PlannerSmall, DomainThatJustHoldsTheRobot) {
 }
 
 TEST(PlannerSmall, ReferencePointFarOffTheBody) {
-  Scene scene;
+  Problem scene;
   scene.robot.append(box(100, 0, 0.5, 0.5));
   scene.box = planner::Rectangle{{0, 0}, {10, 10}};
   scene.obstacles.append(box(5, 3, 0.5, 3));
@@ -124,7 +124,7 @@ TEST(PlannerSmall, ReferencePointFarOffTheBody) {
 }
 
 TEST(PlannerSmall, ReferenceBoundsBindTheReferencePointOnly) {
-  Scene scene;
+  Problem scene;
   scene.robot.append(box(0, 0, 0.5, 0.5));
   scene.reference_bounds = planner::Rectangle{{0, 0}, {10, 10}};
   scene.obstacles.append(box(5, 5, 0.5, 5.4));  // from -0.4 to 10.4: no way past it
@@ -149,7 +149,7 @@ TEST(PlannerSmall, ReferenceBoundsBindTheReferencePointOnly) {
 }
 
 TEST(PlannerSmall, FixedAngleIsTheQuerysOwn) {
-  Scene scene = room();
+  Problem scene = room();
   scene.rotation = false;
   scene.obstacles.append(box(5, 2.25, 0.5, 2.25));
   scene.obstacles.append(box(5, 8, 0.5, 2));  // a gap of 1.5: wide enough at every angle
@@ -165,7 +165,7 @@ TEST(PlannerSmall, FixedAngleIsTheQuerysOwn) {
 }
 
 TEST(PlannerSmall, FixedAngleDecidesTheVerdict) {
-  Scene scene;
+  Problem scene;
   scene.robot.append(box(0, 0, 1.0, 0.2));  // a bar
   scene.box = planner::Rectangle{{0, 0}, {10, 10}};
   scene.obstacles.append(box(5, 2.25, 0.5, 2.25));
@@ -185,7 +185,7 @@ TEST(PlannerSmall, FixedAngleDecidesTheVerdict) {
 
 TEST(PlannerSmall, ExactlyAsWideAsTheGap) {
   // Touching is allowed, but a passage of no width can be neither certified nor refuted.
-  Scene scene = room();
+  Problem scene = room();
   scene.rotation = false;
   scene.obstacles.append(box(5, 2.25, 0.5, 2.25));
   scene.obstacles.append(box(5, 7.75, 0.5, 2.25));
@@ -206,7 +206,7 @@ TEST(PlannerSmall, ExactlyAsWideAsTheGap) {
 }
 
 TEST(PlannerSmall, LimitsNeverProveAnything) {
-  Scene scene = room();
+  Problem scene = room();
   scene.obstacles.append(box(5, 2, 0.5, 2.4));
   scene.obstacles.append(box(5, 8, 0.5, 2.4));  // a gap of 1.2 for a square of 1
   const Configuration start{2, 2, 0.5};

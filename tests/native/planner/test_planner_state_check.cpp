@@ -2,7 +2,7 @@
 // in long double.
 #include <gtest/gtest.h>
 
-#include "planar_planner/native/configurations/pose.hpp"
+#include "planar_planner/native/configurations/scaled_configuration.hpp"
 #include "planar_planner/native/paths/placement.hpp"
 #include "planar_planner/native/paths/state_check.hpp"
 #include "planner_worlds.hpp"
@@ -32,7 +32,7 @@ Configuration random_configuration(Random& random, const planner::Rectangle& bou
 // `q` moved along x to where the oracle's separation changes sign, to within an ulp or so.
 Configuration towards_contact(const World& world, Configuration q, Configuration other) {
   const auto separation = [&](const double x) {
-    const planner::Pose pose = planner::pose_of(world.problem, {x, q.y, q.theta});
+    const planner::ScaledConfiguration pose = planner::scaled(world.problem, {x, q.y, q.theta});
     return world.oracle.separation({pose.t.x, pose.t.y, pose.theta});
   };
   const bool side = separation(q.x) > 0;
@@ -51,7 +51,7 @@ struct Tally {
 
 void compare(World& world, StateCheck& check, const Configuration& q, Tally& tally) {
   const bool free = check.is_free(q);
-  const planner::Pose pose = planner::pose_of(world.problem, q);
+  const planner::ScaledConfiguration pose = planner::scaled(world.problem, q);
   const Real separation = world.oracle.separation({pose.t.x, pose.t.y, pose.theta});
   const planner::Placement placement = planner::place(world.problem, world.tree, world.labeller, q);
   if (free) {
@@ -92,8 +92,8 @@ TEST(PlannerStateCheck, AgreesWithPlacementAndOracle) {
   EXPECT_GT(tally.near, 200);
 }
 
-planner::Scene square_in_room() {
-  planner::Scene scene;
+planner::Problem square_in_room() {
+  planner::Problem scene;
   scene.robot.append({{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}}});
   scene.obstacles.append({{{{2, 0}, {3, 0}, {3, 1}, {2, 1}}}});
   scene.box = planner::Rectangle{{-4, -4}, {4, 4}};
@@ -101,7 +101,7 @@ planner::Scene square_in_room() {
 }
 
 TEST(PlannerStateCheck, TouchingCountsAsNotFree) {
-  StateCheck check(planner::make_problem(square_in_room()));
+  StateCheck check(planner::make_scaled_problem(square_in_room()));
   EXPECT_FALSE(check.is_free({1.5, 0.5, 0.0}));  // the obstacle
   EXPECT_TRUE(check.is_free({1.5 - 0x1p-40, 0.5, 0.0}));
   EXPECT_FALSE(check.is_free({1.5, 1.5, 0.0}));   // its corner
@@ -110,9 +110,9 @@ TEST(PlannerStateCheck, TouchingCountsAsNotFree) {
 }
 
 TEST(PlannerStateCheck, RefusesWhatIsOutOfBoundsOrNoNumber) {
-  planner::Scene scene = square_in_room();
+  planner::Problem scene = square_in_room();
   scene.reference_bounds = planner::Rectangle{{-1, -1}, {1, 1}};
-  StateCheck check(planner::make_problem(scene));
+  StateCheck check(planner::make_scaled_problem(scene));
   EXPECT_TRUE(check.is_free({1.0, -1.0, 0.3}));
   EXPECT_FALSE(check.is_free({std::nextafter(1.0, 2.0), 0.0, 0.0}));
   for (const double bad : {double{NAN}, double{INFINITY}, 1e308}) {
@@ -125,9 +125,9 @@ TEST(PlannerStateCheck, RefusesWhatIsOutOfBoundsOrNoNumber) {
 
 // The bounds hold every free configuration; only obstacles within reach of them are kept.
 TEST(PlannerStateCheck, BoundsAndFarObstacles) {
-  planner::Scene scene = square_in_room();
+  planner::Problem scene = square_in_room();
   scene.obstacles.append({{{{1e9, 0}, {1e9 + 1, 0}, {1e9, 1}}}});
-  StateCheck check(planner::make_problem(scene));
+  StateCheck check(planner::make_scaled_problem(scene));
   EXPECT_TRUE(check.is_free({1.5 - 0x1p-40, 0.5, 0.0}));
   EXPECT_NEAR(check.bounds().low.x, -3.5, 1e-9);
   EXPECT_NEAR(check.bounds().high.y, 3.5, 1e-9);

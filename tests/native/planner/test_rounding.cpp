@@ -19,7 +19,7 @@ pdg::Polygon rectangle(const Vec2 low, const Vec2 high) {
 // its long sides, and yet far outside. It was taken to be inside, so that the domain ended at the
 // workspace although the robot goes where its origin is outside: a false "no path".
 TEST(Rounding, OriginBeyondTheTipOfASliver) {
-  planner::Scene scene;
+  planner::Problem scene;
   scene.rotation = false;
   scene.robot.append({{{{-0x1.399f8f8ba0b49p-2, -0x1.92e4b7a5744dp-2},
                         {-0x1.d75010068d95fp-1, -0x1.2ebbe19ca29a1p+0},

@@ -63,7 +63,7 @@ double slight(Random& random, const bool adversarial) {
 void slot(Random& random, const Placing& placing, const bool adversarial, Stage& stage) {
   const double width = random.between(0.1, 0.6);
   const double half = 0.5 * width;
-  planner::Scene& scene = stage.scene;
+  planner::Problem& scene = stage.scene;
   scene.robot.append(robot_rectangle(placing, random.between(0.6, 1.5),
                                      width * (1.0 + slight(random, adversarial)), {0.0, 0.0}));
   scene.obstacles.append(rectangle(placing, {-0.5, half}, {0.5, 2.0}));
@@ -76,7 +76,7 @@ void slot(Random& random, const Placing& placing, const bool adversarial, Stage&
 void corner(Random& random, const Placing& placing, const bool adversarial, Stage& stage) {
   const double width = random.between(0.05, 0.3);
   const double length = 2.0 * (std::numbers::sqrt2 - width) * (1.0 + slight(random, adversarial));
-  planner::Scene& scene = stage.scene;
+  planner::Problem& scene = stage.scene;
   scene.robot.append(robot_rectangle(placing, length, width, {0.0, 0.0}));
   scene.obstacles.append(rectangle(placing, {1.0, 1.0}, {4.0, 4.0}));
   scene.box = planner::Rectangle{placing.place({0.0, 0.0}), placing.place({4.0, 4.0})};
@@ -85,7 +85,8 @@ void corner(Random& random, const Placing& placing, const bool adversarial, Stag
   stage.critical = {t.x, t.y, -std::numbers::pi / 4 - placing.angle};
 }
 
-void shapes(Random& random, const Placing& placing, const bool adversarial, planner::Scene& scene) {
+void shapes(Random& random, const Placing& placing, const bool adversarial,
+            planner::Problem& scene) {
   const int robots = random.one_in(4) ? 2 : 1;
   const double off = random.one_in(4) ? 2.0 : 0.3;
   for (int i = 0; i < robots; ++i) {
@@ -103,30 +104,31 @@ void shapes(Random& random, const Placing& placing, const bool adversarial, plan
 
 }  // namespace
 
-World::World(planner::Scene scene, const double theta)
-    : problem(planner::make_problem(std::move(scene))),
-      tree(problem.scene.obstacles, problem.frame, problem.walls),
+World::World(planner::Problem scene, const double theta)
+    : problem(planner::make_scaled_problem(std::move(scene))),
+      tree(all_obstacles(problem), problem.frame, problem.walls),
       labeller(problem.robot, tree, statistics),
       posed(problem.robot),
       space{problem.domain, problem.rotation, theta} {
   const pdg::Frame own = exact::robot_frame(problem.frame);
   std::vector<Vec2> points;
-  for (std::size_t i = 0; i < problem.scene.robot.size(); ++i) {
-    const pdg::Polygon polygon = problem.scene.robot.polygon(i);
+  for (std::size_t i = 0; i < problem.given.robot.size(); ++i) {
+    const pdg::Polygon polygon = problem.given.robot.polygon(i);
     points.insert(points.end(), polygon.rings[0].begin(), polygon.rings[0].end());
     for (const ConvexPolygon& piece : planner::planner_pieces(polygon))
       robot.push_back(exact::framed(own, piece));
   }
   robot.push_back(exact::framed(own, hull_of(points)));
   reach = exact::reach(robot.back());
-  for (std::size_t i = 0; i < problem.scene.obstacles.size(); ++i) {
+  const planner::Obstacles all = all_obstacles(problem);
+  for (std::size_t i = 0; i < all.size(); ++i) {
     obstacles.emplace_back();
-    for (const ConvexPolygon& piece : planner::planner_pieces(problem.scene.obstacles.polygon(i)))
+    for (const ConvexPolygon& piece : planner::planner_pieces(all.polygon(i)))
       obstacles.back().push_back(exact::framed(problem.frame, piece));
   }
-  if (!problem.scene.box) return;
-  const exact::Vector low = exact::framed(problem.frame, problem.scene.box->low);
-  const exact::Vector high = exact::framed(problem.frame, problem.scene.box->high);
+  if (!problem.given.box) return;
+  const exact::Vector low = exact::framed(problem.frame, problem.given.box->low);
+  const exact::Vector high = exact::framed(problem.frame, problem.given.box->high);
   walls = {{{exact::Ball(1.0), exact::Ball()}, low.x},
            {{exact::Ball(-1.0), exact::Ball()}, -high.x},
            {{exact::Ball(), exact::Ball(1.0)}, low.y},

@@ -6,7 +6,7 @@
 
 #include "generate.hpp"
 #include "planar_planner/native/labels/label.hpp"
-#include "planar_planner/native/world/problem.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
 #include "truth/exact.hpp"
 
 namespace rounding {
@@ -14,7 +14,7 @@ namespace rounding {
 // The planner's parts, put together by hand, and the scene's exact pieces by the planner's indices.
 class World {
  public:
-  explicit World(planner::Scene scene, double theta = 0.0);
+  explicit World(planner::Problem scene, double theta = 0.0);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
@@ -24,7 +24,7 @@ class World {
     return posed;
   }
 
-  planner::Problem problem;
+  planner::ScaledProblem problem;
   planner::ObstacleTree tree;
   planner::Statistics statistics;
   planner::Labeller labeller;
@@ -42,7 +42,7 @@ class World {
 };
 
 struct Stage {
-  planner::Scene scene;
+  planner::Problem scene;
   std::optional<planner::Configuration> critical;  // where the robot is held from several sides
 };
 

@@ -315,11 +315,14 @@ def test_an_angle_at_the_seam_is_on_both_sides() -> None:
 
 
 @pytest.mark.parametrize("theta", [1e-300, -1e-300])
-def test_an_angle_too_near_the_seam_is_on_neither_side_for_sure(theta: float) -> None:
+def test_an_angle_near_the_seam_is_on_the_side_of_its_sign(theta: float) -> None:
     scene, certificate = hand_made("turning_wall")
     scene["start"] = [2, 1, theta]
+    assert verify_certificate(scene, signed(scene, certificate)).verdict == "no_path"
+    other = certificate["start_side"][int(theta > 0)]  # the first box is above turn 0
+    one = {**certificate, "start_side": [other]}
     with pytest.raises(CertificateRejected, match="does not hold the start"):
-        verify_certificate(scene, signed(scene, certificate))
+        verify_certificate(scene, signed(scene, one))
     scene |= {"start": [8, 1, 0], "goal": [2, 1, theta]}
     with pytest.raises(CertificateRejected, match="may hold the goal"):
         verify_certificate(scene, signed(scene, certificate))

@@ -35,7 +35,7 @@ def test_a_view_without_content_is_said_and_not_written(
 def test_no_path_is_explained_without_being_asked(tmp_path: Path) -> None:
     file = tmp_path / "picture.svg"
     assert main(["solve", "corner-too-long", "--plot", str(file), "--quiet"]) == 1
-    assert "where it would pass with the least overlap" in file.read_text(encoding="utf-8")
+    assert "where the wall was found thinnest" in file.read_text(encoding="utf-8")
 
 
 def test_angles_imply_slices_and_may_be_negative(tmp_path: Path) -> None:

@@ -33,7 +33,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 SCENES = [
     *("empty.json", "list.json", "bytes.json", "deep.json", "folder.json", "loop.json"),
     *("cut.svg", "cut.dxf", "cut.wkt", "cut.yaml", "two\nlines.json"),
-    *("absent.json", "", " ", "gear\t", "-", "x" * 5000, "\udcff", "~", "a\0b"),
+    *("absent.json", "", " ", "gear\t", "x" * 5000, "\udcff", "~", "a\0b"),
 ]
 
 
@@ -110,7 +110,7 @@ def test_usage(arguments: str, capsys: pytest.CaptureFixture[str]) -> None:
     "option",
     [
         *("--robot=absent.rob", "--footprint=[[0,0],[1,0],[0,1]]", "--padding=0.1", "--unknown"),
-        *("--flatten=inwards", "--tolerance=0.1", "--role=a=robot"),
+        *("--flatten=inwards", "--tolerance=0.1", "--join=0.1", "--role=a=robot"),
     ],
 )
 def test_what_a_scene_says_itself_is_not_ignored(

@@ -151,7 +151,7 @@ def test_crossing_outlines_are_united(tmp_path: Path) -> None:
     assert len(shapes) == 4
     found = shapely.union_all([s for s in shapes if s.bounds[0] < 70])
     assert found.area == 400 - 256 + 400 - 40
-    assert "copies of other obstacles dropped: 1" in scene.notes
+    assert "outlines that are drawn twice taken once: 1" in scene.notes
 
 
 def test_an_entity_seen_from_below_is_mirrored(tmp_path: Path) -> None:
@@ -185,17 +185,18 @@ def test_shipped_scenes_come_back(name: str, tmp_path: Path) -> None:
     [
         (
             lambda m: m.add_line((0, 0), (1, 1), **on("obstacle")),
-            "layer 'obstacle': outline is open",
+            "layer 'obstacle', LINE 32: outline is open",
         ),
         (lambda m: m.add_point((0, 0), **on("start")), "second mark for start"),
-        (lambda m: m.add_point((0, 0), **on("robot")), "POINT"),
+        (lambda m: m.add_3dface([(0, 0), (1, 0), (0, 1)], **on("robot")), "3DFACE"),
         (
             lambda m: m.add_circle(
                 (0, 0), 1, dxfattribs={"layer": "robot", "extrusion": (1, 0, 0)}
             ),
             "does not lie in the x–y plane",
         ),
-        (lambda m: m.add_spline([(0, 0), (1, 1), (2, 0)], **on("robot")), "no control points"),
+        (lambda m: m.add_spline([(0, 0), (1, 1), (2, 0)], **on("robot")), "outline is open"),
+        (lambda m: m.add_spline([(0, 0)], **on("robot")), "neither control points nor fit points"),
         (lambda m: m.add_circle((0, 0), 1e99, **on("robot")), "magnitude"),
         (
             lambda m: m.add_lwpolyline([(0, 0), (2, 2), (2, 0), (0, 2)], close=True, **on("robot")),

@@ -11,13 +11,18 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from planar_planner import SceneError, solve
+from planar_planner import SceneError, load_scene, solve
 from planar_planner.cli.main import main
+from planar_planner.formats.parts import ImportOptions
 from planar_planner.problem.make import make_problem
 from support.format_help import read
 
 FREE, UNKNOWN, WALL = 254, 205, 0
 BODY = "[[-0.3, -0.2], [0.3, -0.2], [0.3, 0.2], [-0.3, 0.2]]"
+
+
+FAULTS = Path(__file__).parents[2] / "worlds" / "faults"
+ALPHA_MAPS = [("al.yaml", 2), ("m7.yaml", 2)]
 
 
 def rooms(door: int) -> np.ndarray:
@@ -172,14 +177,15 @@ def test_wrong_fields_say_which(change: dict[str, object], place: str, tmp_path:
     assert place in str(raised.value)
 
 
-def deep_image() -> bytes:
+def cyan_image() -> bytes:
+    """Return a JPEG of four inks, which is not read."""
     out = BytesIO()
-    Image.fromarray(np.zeros((3, 3), dtype=np.uint16)).save(out, "PNG")
+    Image.new("CMYK", (3, 3)).save(out, "JPEG")
     return out.getvalue()
 
 
 @pytest.mark.parametrize(
-    "data", [b"", b"P5\n10 10\n255\nshort", b"P5\n99999 99999\n255\n", b"nonsense", deep_image()]
+    "data", [b"", b"P5\n10 10\n255\nshort", b"P5\n99999 99999\n255\n", b"nonsense", cyan_image()]
 )
 def test_broken_images_are_named(data: bytes, tmp_path: Path) -> None:
     file = write_map(tmp_path, rooms(6))
@@ -204,3 +210,67 @@ def test_broken_footprints_are_named(text: str, tmp_path: Path) -> None:
     file = write_map(tmp_path, rooms(6))
     with pytest.raises(SceneError, match="footprint"):
         read(file, file.read_bytes(), start=[0, 0, 0], goal=[0, 0, 0], footprint=text)
+
+
+def one_row(folder: Path, image: Image.Image, **fields: object) -> Path:
+    """Write a map of an image."""
+    file = write_map(folder, np.zeros((1, 1), dtype=np.uint8), **fields)
+    image.save(folder / "own.png")
+    file.write_text(file.read_text().replace("map.pgm", "own.png"))
+    return file
+
+
+def cells_of(file: Path, **options: object) -> list[tuple[float, float]]:
+    """Return the cells of a one-row map that are obstacles, as (from, to) along the row."""
+    common = {"start": [0, 0, 0], "goal": [0, 0, 0], "footprint": BODY, "allow_empty": True}
+    scene = read(file, file.read_bytes(), **common, **options)
+    ends = [[p[0] for p in o["coordinates"][0]] for o in scene.obstacles]
+    return sorted((round((min(x) + 1) * 10), round((max(x) + 1) * 10)) for x in ends)
+
+
+def test_opacity_is_averaged_in_as_in_nav2(tmp_path: Path) -> None:
+    """Black opaque: 0.75 occupied; black clear: 1; white clear: 0.25, unknown; white opaque: 0."""
+    row = np.array([[[0, 255], [0, 0], [255, 0], [255, 255], [90, 255]]], dtype=np.uint8)
+    file = one_row(tmp_path, Image.fromarray(row, "LA"))
+    assert cells_of(file) == [(0, 2)]
+    assert cells_of(file, unknown=True) == [(0, 3), (4, 5)]
+    scene = read(file, file.read_bytes(), start=[0] * 3, goal=[0] * 3, footprint=BODY)
+    assert any("opacity is averaged in" in note for note in scene.notes)
+    file = one_row(tmp_path, Image.fromarray(row, "LA"), mode="scale")
+    assert cells_of(file) == [(0, 1)]
+    assert cells_of(file, unknown=True) == [(0, 3), (4, 5)]
+
+
+def test_sixteen_bits_and_wide_pgm(tmp_path: Path) -> None:
+    row = np.array([[0, 65535, 40000, 10000]], dtype=np.uint16)
+    assert cells_of(one_row(tmp_path, Image.fromarray(row))) == [(0, 1), (3, 4)]
+    (tmp_path / "own.png").write_bytes(b"P2 4 1 1023\n0 1023 624 156\n")
+    assert cells_of(tmp_path / "map.yaml") == [(0, 1), (3, 4)]
+
+
+@pytest.mark.parametrize("number", ["1e-05", "8e-17", "1E-5", "-1e-9"])
+def test_numbers_with_exponents_are_numbers(number: str, tmp_path: Path) -> None:
+    file = write_map(tmp_path, rooms(6))
+    text = file.read_text().replace("[-1.0, -2.0, 0.0]", f"[0, 0, {number}]")
+    scene = read(file, text, start=[0, 0, 0], goal=[0, 0, 0], footprint=BODY)
+    assert scene.obstacles
+
+
+def test_pictures_that_are_none_or_alone(tmp_path: Path) -> None:
+    file = write_map(tmp_path, rooms(6))
+    (tmp_path / "map.pgm").write_bytes(b"no image")
+    with pytest.raises(SceneError, match="is no image in PGM") as raised:
+        read(file, file.read_bytes())
+    assert " object at 0x" not in str(raised.value)
+    Image.fromarray(rooms(6)).save(tmp_path / "alone.png")
+    with pytest.raises(SceneError, match="picture without scale"):
+        load_scene(tmp_path / "alone.png")
+    with pytest.raises(SceneError, match="is a disc"):
+        read(tmp_path / "nav2.yaml", "local_costmap:\n  robot_radius: 0.2\n")
+
+
+@pytest.mark.parametrize(("name", "walls"), ALPHA_MAPS)
+def test_maps_with_alpha_of_the_issue(name: str, walls: int) -> None:
+    given = {"footprint": BODY, "start": [0.0] * 3, "goal": [0.0] * 3, "unknown": True}
+    scene = load_scene(FAULTS / name, ImportOptions(**given))
+    assert len(scene.obstacles) == walls

@@ -7,8 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import shapely
 
-from planar_planner import SceneError, solve
+from planar_planner import SceneError, load_scene, solve
+from planar_planner.formats.parts import ImportOptions
 from support.format_help import convert, read
 from worlds.outside_files.texts import (
     BODY,
@@ -55,7 +57,9 @@ def test_plain_well_known_text_is_obstacles(tmp_path: Path) -> None:
         ("POLYGON (0 0, 1 0, 1 1)", "line 1"),
         ("POLYGON )(", "line 1"),
         ("CURVEPOLYGON (COMPOUNDCURVE (1 1))", "line 1: expected POINT"),
-        ("POINT (1 2)", "line 1"),
+        ("robot POINT (1 2)", "line 1"),
+        ("workspace LINESTRING (1 2, 3 4)", "line 1: expected POINT"),
+        ("start POINT M (1 2 3)", "line 1: a POINT has"),
         ("start POINT (1)", "line 1: a POINT has"),
         ("robt POLYGON ((0 0, 1 0, 1 1))", "did you mean 'robot'"),
         ("POLYGON ((0 0, 2 2, 2 0, 0 2))", "line 1: outline crosses itself"),
@@ -107,7 +111,8 @@ def test_touching_rings_are_repaired_and_told(tmp_path: Path) -> None:
         (collection(feature("robt", BODY)), "did you mean 'robot'"),
         (collection(feature(3, BODY)), "properties.role"),
         (collection(feature("start", BODY)), "must be Points"),
-        (collection(feature(None, {"type": "LineString", "coordinates": []})), "geometry.type"),
+        (collection(feature("robot", {"type": "LineString", "coordinates": []})), "geometry.type"),
+        (collection(feature("workspace", None)), "features[0].geometry"),
         (collection(feature(None, polygon([[0, 0], [1, "x"], [1, 1]]))), "coordinates[0][1][1]"),
         (collection(feature(None, polygon([[0, 0], [1], [1, 1]]))), "coordinates[0][1]"),
         (collection(feature(None, {"type": "Polygon"})), "coordinates"),
@@ -208,3 +213,76 @@ def test_a_robot_that_is_not_star_shaped_is_refused(
     (tmp_path / "s.wkt").write_text(text)
     assert convert(tmp_path / "s.wkt", tmp_path / "out.txt") == 2
     assert "star-shaped" in capsys.readouterr().err
+
+
+FAULTS = Path(__file__).parents[2] / "worlds" / "faults"
+SQUARE = "0 0, 9 0, 9 9, 0 9, 0 0"
+SMALL = "2 2, 4 2, 4 4, 2 4, 2 2"
+
+
+@pytest.mark.parametrize(
+    ("rings", "problem"),
+    [
+        ([SQUARE, "10 0, 12 0, 12 1, 10 0"], "[1]: the hole does not lie in its shell"),
+        ([SMALL, SQUARE], "[1]: the hole does not lie in its shell"),
+        ([SQUARE, SQUARE], "[1]: the hole is the whole of its shell"),
+        ([SQUARE, SMALL, SMALL], "[2]: the hole shares area with hole 1"),
+        ([SQUARE, "1 1, 5 1, 5 5, 1 5, 1 1", SMALL], "[2]: the hole shares area with hole 1"),
+    ],
+)
+def test_holes_that_are_none_are_refused(rings: list[str], problem: str, tmp_path: Path) -> None:
+    for turn in (slice(None), slice(None, None, -1)):
+        text = ", ".join(f"({', '.join(ring.split(', ')[turn])})" for ring in rings)
+        with pytest.raises(SceneError) as raised:
+            read(tmp_path / "s.wkt", f"POLYGON ({text})", **ENDS)
+        assert problem in str(raised.value)
+
+
+@pytest.mark.parametrize("touch", ["0 0, 4 2, 2 4, 0 0", "0 2, 4 2, 4 4, 0 4, 0 2"])
+def test_holes_that_touch_their_shell_stay(touch: str, tmp_path: Path) -> None:
+    text = f"robot {ROBOT_TEXT}\nPOLYGON (({SQUARE}), ({touch}))"
+    scene = read(tmp_path / "s.wkt", text, **ENDS)
+    area = sum(map(shapely.area, map(shapely.geometry.shape, scene.obstacles)))
+    hole = shapely.from_wkt(f"POLYGON (({touch}))").area
+    assert area == 81 - hole
+
+
+ROBOT_TEXT = "POLYGON ((0 0, 1 0, 0 1, 0 0))"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"polygon (({SQUARE}))",
+        f"obstacle: Polygon(({SQUARE}))",
+        f"srid=4326;MultiPolygon((({SQUARE})))",
+        "POLYGONZ ((0 0 1, 9 0 1, 9 9 1, 0 9 1, 0 0 1))",
+        "polygonzm((0 0 1 2, 9 0 1 2, 9 9 1 2, 0 9 1 2, 0 0 1 2))",
+        f"MULTIPOLYGON (EMPTY, (({SQUARE})))",
+        "GEOMETRYCOLLECTION (POLYGON EMPTY, LineString (0 0, 1 1), POINT (3 3), "
+        f"POLYGON (({SQUARE})))",
+    ],
+)
+def test_spellings_of_well_known_text(text: str, tmp_path: Path) -> None:
+    for name in ("s.wkt", "s.text"):
+        scene = read(tmp_path / name, f"robot {ROBOT_TEXT}\n{text}", **ENDS)
+        (obstacle,) = scene.obstacles
+        assert shapely.geometry.shape(obstacle).area == 81.0
+
+
+def test_what_has_no_area_is_left_out_and_counted() -> None:
+    given = ImportOptions(
+        footprint="[[-0.3,-0.1],[0.3,-0.1],[0.3,0.1],[-0.3,0.1]]",
+        start=[1.0, 1.0, 0.0],
+        goal=[3.0, 1.0, 0.0],
+    )
+    for name in ("g_null.geojson", "g_line.geojson"):
+        scene = load_scene(FAULTS / name, given)
+        assert any("left out" in note for note in scene.notes)
+        assert any("1 of the file's things became nothing" in note for note in scene.notes)
+        assert solve(scene).verdict == "no_path"
+
+
+def test_a_hole_outside_its_shell_is_refused_with_its_ring() -> None:
+    with pytest.raises(SceneError, match=r"line 3, \[1\]: the hole does not lie in its shell"):
+        load_scene(FAULTS / "hole_outside.wkt")

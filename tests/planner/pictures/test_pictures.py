@@ -224,7 +224,7 @@ def test_a_wall_shows_the_robot_where_it_is_pinched(
     hatched = [patch for patch in close.patches if patch.get_hatch()]
     assert hatched
     assert all(patch.get_clip_path() is not None for patch in hatched)
-    assert f"{bottleneck.depth:.3g}" in close.get_title()
+    assert not any(letter.isdigit() for letter in close.get_title())  # no length is proven here
     assert space.name == "3d"
 
 

@@ -110,3 +110,13 @@ def test_travel_bounds_the_way_of_every_vertex() -> None:
 def test_bad_values_are_named(call, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         call()
+
+
+def test_the_shortest_steps_are_interpolated() -> None:
+    """A turn that counts as a length near the smallest double, where slopes overflow."""
+    path = [[0.0, 0.0, 0.0], [0.0, 0.0, 3.0], [0.0, 0.0, -2.0]]
+    for radius in (2.2e-313, 5e-324):
+        parts = equal_parts(path, radius, 9)
+        assert np.isfinite(parts).all()
+        assert parts[0].tolist() == path[0] and parts[-1].tolist() == path[-1]
+        assert (np.abs(parts[:, 2]) <= 3.0).all()

@@ -10,7 +10,12 @@ from planar_planner import DecidedBy, StopReason
 from planar_planner.cli.report import HINTS
 from planar_planner.planning.outcome import MOVED, PATHS, PROOFS, STOPS, sentence
 
-NO_REMEDY = {StopReason.INTERRUPTED, StopReason.MOVED_ENDS, StopReason.LOST_CHANNEL}
+NO_REMEDY = {
+    StopReason.INTERRUPTED,
+    StopReason.MOVED_ENDS,
+    StopReason.NO_EVIDENCE,
+    StopReason.LOST_CHANNEL,
+}
 
 
 def test_every_reason_has_a_sentence_of_its_own() -> None:

@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planar_planner.cli.report import headline, statistics
+from planar_planner.cli.report import statistics
 from planar_planner.planning.outcome import DecidedBy, StopReason
 from planar_planner.planning.result import NoPath, PathFound, Statistics, Undecided, make_result
+from planar_planner.planning.result_text import headline
 
 
 def answer(verdict: str, **stats: Any) -> dict[str, Any]:

@@ -130,7 +130,7 @@ def test_html_is_safe_against_names() -> None:
     assert page.tags == {"table", "tr", "th", "td"}
     assert name in page.text
     assert "length5" in page.text
-    assert "no path: proven" in answer("no_path")._repr_html_()
+    assert "no path, proven" in answer("no_path")._repr_html_()
 
 
 @pytest.mark.parametrize("copied", [lambda v: pickle.loads(pickle.dumps(v)), copy.deepcopy])

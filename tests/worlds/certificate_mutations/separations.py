@@ -284,3 +284,12 @@ def obstacles_elsewhere(scene: Json, certificate: Json) -> Mutant:
         for piece in pieces:
             piece[:] = [[x + 1024, y] for x, y in piece]
     return scene, signed(scene, certificate)
+
+
+@mutation
+def box_listed_twice(scene: Json, certificate: Json) -> Mutant:
+    """True, but work without end for whoever checks it."""
+    if not separates(certificate):
+        return None
+    certificate["start_side"].append(certificate["start_side"][0])
+    return scene, certificate

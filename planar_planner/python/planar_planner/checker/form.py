@@ -42,6 +42,7 @@ from planar_planner.checker.records import (
     WallTerm,
     Waypoint,
 )
+from planar_planner.errors import CertificateError
 
 DEEPEST_LEVEL = 60
 """Of a box: its sides are at least 2^-60 of the domain's."""
@@ -61,7 +62,12 @@ def read_certificate(source: Source) -> Certificate:
         If it cannot be read, or is not of the form.
     """
     content = source if isinstance(source, Mapping) else read_json(source)
-    certificate: Certificate = _CERTIFICATE(content)
+    try:
+        certificate: Certificate = _CERTIFICATE(content)
+    except CertificateError:
+        raise
+    except ValueError as error:  # an integer of more digits than Python shows
+        raise CertificateError("", f"cannot be read: {error}") from None
     return certificate
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 from planar_planner import certificate_keys as keys
@@ -22,6 +23,7 @@ Place = tuple[Range, Range, Range]
 
 def check_separation(case: Case, separation: Separation) -> int:
     """Check that FULL boxes and faces separate the start from the goal; return their number."""
+    check_distinct(separation)
     only_theta = None if case.turning else case.start.theta
     domain = Domain(separation.low, separation.size, only_theta)
     check_domain(case, domain)
@@ -35,6 +37,17 @@ def check_separation(case: Case, separation: Separation) -> int:
             check_full(case, place, claim.collision, domain.extent(place, claim.box, claim.axis))
     check_cover(separation)
     return len(separation.start_side) + len(separation.full) + len(separation.full_faces)
+
+
+def check_distinct(separation: Separation) -> None:
+    """Check that no box or face is listed twice, before there is work on any of them."""
+    listed: dict[str, list[tuple[Box, int | None]]] = {
+        keys.START_SIDE: [(box, None) for box in separation.start_side],
+        keys.FULL: [(claim.box, claim.axis) for claim in separation.full],
+        keys.FULL_FACES: [(claim.box, claim.axis) for claim in separation.full_faces],
+    }
+    for name, places in listed.items():
+        demand(len(set(places)) == len(places), name, "lists something twice")
 
 
 def check_domain(case: Case, domain: Domain) -> None:
@@ -68,14 +81,18 @@ def check_ends(case: Case, domain: Domain, start_side: list[Box]) -> None:
 def places_of(pose: Pose, domain: Domain) -> list[Place]:
     """Return three places of a configuration in parts of the domain, a turn apart.
 
-    No angle but 0 is on a box's boundary, so angles need not be exact.
+    No angle but 0 is on a box's boundary, so angles need not be exact. An angle below
+    `TURNS_ERROR` is on the side of 0 that its sign says.
     """
     (x, y), theta = pose
     if domain.only_theta is not None:
         theta = 0.0
     u, v = Fraction(x - domain.low[0], domain.size[0]), Fraction(y - domain.low[1], domain.size[1])
-    turns, error = turns_of(theta) % 1, TURNS_ERROR if theta else Fraction()
-    return [((u, u), (v, v), (turns + n - error, turns + n + error)) for n in (-1, 0, 1)]
+    turns, error = turns_of(theta), TURNS_ERROR if theta else Fraction()
+    low = turns - error if theta <= 0 else max(turns - error, Fraction())
+    high = turns + error if theta >= 0 else min(turns + error, Fraction())
+    whole = math.floor(turns)
+    return [((u, u), (v, v), (low - whole + n, high - whole + n)) for n in (-1, 0, 1)]
 
 
 def ranges_of(box: Box) -> Place:

@@ -55,6 +55,7 @@ def json_output(target: str | None) -> JsonOutput:
     OutputError
         If standard output is closed or the file cannot be written.
     """
+    target = STDOUT if target == "/dev/stdout" else target
     if target == STDOUT and sys.stdout is None:
         raise OutputError("cannot write standard output: it is closed")
     if target in (None, STDOUT):

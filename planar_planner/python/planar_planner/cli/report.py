@@ -2,20 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from planar_planner.errors import one_line
 from planar_planner.planning.outcome import StopReason
 
 if TYPE_CHECKING:
     from planar_planner.planning.result import Result, Statistics
-
-_HEADLINES = {
-    "path": "path found",
-    "no_path": "no path, proven",
-    "undecided": "undecided",
-}
 
 _ALLOW_CONTACT = "--contact-tolerance LENGTH allows it"
 
@@ -33,19 +26,13 @@ HINTS: Mapping[StopReason, str] = {
 """What a user of the command line can do about an undecided query; some reasons have no remedy."""
 
 
-def headline(result: Result, paint: Callable[[str], str] = str) -> str:
-    """Return the verdict in one line; `paint` may colour its words."""
-    reason = one_line(f" ({result.reason})") if result.reason else ""
-    return f"{one_line(result.scene)}: {paint(_HEADLINES[result.verdict])}{reason}"
-
-
-def statistics(result: Result) -> str:
-    """Return what was done and what it took."""
+def statistics(result: Result, *, contact_tolerance: float = 0.0) -> str:
+    """Return what was done and what it took; a hint names no option that was given."""
     stats = result.stats
     if result.stop_reason is StopReason.OUT_OF_MEMORY:  # nothing is left to count
-        return f"  {_hint_line(result)}"
+        return f"  {_hint_line(result, contact_tolerance)}"
     lines = [
-        _hint_line(result),
+        _hint_line(result, contact_tolerance),
         _path_line(result, stats),
         _cells_line(stats),
         _levels_line(stats),
@@ -55,8 +42,11 @@ def statistics(result: Result) -> str:
     return "\n".join(f"  {line}" for line in lines if line)
 
 
-def _hint_line(result: Result) -> str:
-    return "" if result.stop_reason is None else HINTS.get(result.stop_reason, "")
+def _hint_line(result: Result, contact_tolerance: float) -> str:
+    hint = "" if result.stop_reason is None else HINTS.get(result.stop_reason, "")
+    if hint == _ALLOW_CONTACT and contact_tolerance > 0:
+        return f"there is no way out of contact within --contact-tolerance {contact_tolerance:g}"
+    return hint
 
 
 def _path_line(result: Result, stats: Statistics) -> str:

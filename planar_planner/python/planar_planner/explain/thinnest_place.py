@@ -14,29 +14,26 @@ from planar_planner.frozen_arrays import FrozenArrays, freeze
 
 @dataclass(frozen=True, eq=False)
 class Bottleneck(FrozenArrays):
-    """A way from start to goal through the wall whose deepest overlap is least, and where that is.
+    """A way from start to goal through the wall, and the place where the wall was found thinnest.
 
-    The depth of a configuration is the greatest over all pairs of a convex piece of the robot and
-    one of the obstacles (or a side of the workspace): the length of the shortest translation that
-    parts the two. Outside the reference bounds it is the distance from them. Depths count where
-    collision is proven, that is in FULL cells and blocked faces.
-
-    It is an estimate from samples, for people: nothing of it is proven.
+    The way is chosen by the depth of overlap of sampled configurations in FULL cells and blocked
+    faces. It is a heuristic for people and proves nothing. It gives a place and no length, because
+    the least overlap of all ways can be several times smaller than that of this way. The length
+    that must give way is bounded from both sides by `planar_planner.margin`.
 
     Attributes
     ----------
     way : NDArray, shape (N, 3)
         Configurations (x, y, theta) from the start's cell to the goal's, theta unwrapped. Outside
         the overlap they are middles of the cells' faces, not a path.
-    depths : NDArray, shape (N,)
-        How deep each overlaps, in the scene's unit; 0 where nothing is proven to collide.
+    collides : NDArray of bool, shape (N,)
+        Whether each of them is found to overlap, in a cell or face that is proven to collide.
     index : int
-        Of the bottleneck: the deepest overlap of the way by the middles of faces, made as shallow
-        as can be by going another way there. (Elsewhere the way is left as it is.)
+        Index of the bottleneck in `way`.
     """
 
     way: NDArray[np.float64]
-    depths: NDArray[np.float64]
+    collides: NDArray[np.bool_]
     index: int
 
     @property
@@ -45,17 +42,12 @@ class Bottleneck(FrozenArrays):
         return np.asarray(self.way[self.index])
 
     @property
-    def depth(self) -> float:
-        """How deep it overlaps: what would have to give way there, in the scene's unit."""
-        return float(self.depths[self.index])
-
-    @property
     def crossing(self) -> NDArray[np.float64]:
         """The stretch of the way about the bottleneck that overlaps, and one more at either end."""
         first = last = self.index
-        while first > 0 and self.depths[first] > 0.0:
+        while first > 0 and self.collides[first]:
             first -= 1
-        while last + 1 < len(self.depths) and self.depths[last] > 0.0:
+        while last + 1 < len(self.collides) and self.collides[last]:
             last += 1
         return np.asarray(self.way[first : last + 1])
 
@@ -64,6 +56,6 @@ def make_bottleneck(found: Mapping[str, Any]) -> Bottleneck | None:
     """Build it from the core's table; None if that is empty."""
     if not len(found["way"]):
         return None
-    bottleneck = Bottleneck(found["way"], found["depth"], int(found["deepest"]))
+    bottleneck = Bottleneck(found["way"], found["depth"] > 0.0, int(found["deepest"]))
     freeze(bottleneck)
     return bottleneck

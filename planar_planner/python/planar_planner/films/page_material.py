@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from planar_planner.cli.report import headline
 from planar_planner.errors import one_line
 from planar_planner.explain.cells import LABEL_COLOURS, LABELS
 from planar_planner.films.canvas import check_size
@@ -20,6 +19,7 @@ from planar_planner.films.pace import Pace
 from planar_planner.pictures.style import BOUNDS, GOAL, MIDWAY, START
 from planar_planner.pictures.world import view_box
 from planar_planner.planning.path_samples import Floats, reach, travel
+from planar_planner.planning.result_text import headline
 from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Polygons, Problem, ends
 from planar_planner.scene.fields import Box

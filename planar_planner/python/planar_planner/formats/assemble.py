@@ -1,8 +1,8 @@
 """From the parts of a file to a scene.
 
 The options supply what a file does not state; one error names everything that is still missing. The
-unbounded plane gets bounds that change no verdict. Coordinates far from the origin are moved there
-if the move is exact.
+unbounded plane gets bounds that change no verdict. Coordinates stay those of the file, however far
+from the origin they are, so that paths and goals are in its frame.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from planar_planner.errors import SceneError
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point, Shape
 from planar_planner.scene.fields import Box, Configuration
 from planar_planner.scene.model import Scene
-from planar_planner.tolerances import BOUNDS_SLACK
+from planar_planner.scene.plane import bounds_of_plane
 
 FAR = 2.0**20
-"""Coordinates that are this many times larger than the scene's extent are moved to the origin. The
-core's error bounds are relative to the largest coordinate, so such a scene would be resolved a
-million times more coarsely."""
+"""Coordinates that are this many times larger than the scene's extent are worth a note. The core's
+error bounds are relative to the largest coordinate, so such a scene is resolved more coarsely."""
 
+_QUADRANGLE = 4
 _CARRIES = {
     "path": "a path holds for the curves too, 'no path' only for the flattened outlines",
     "no_path": "a proof of 'no path' holds for the curves too, a path only for the flattened "
@@ -44,7 +44,9 @@ def scene_of_parts(parts: Parts, options: ImportOptions, notes: Notes, source: s
         goal=_configuration(options.goal) or parts.goal,
     )
     _complete(given)
-    given = _bounded(_near_origin(_without_copies(given, notes), notes), notes)
+    given = _bounded(_without_copies(given, notes), notes)
+    _far(given, notes)
+    _counted(given, options, notes)
     if given.holds_for:
         notes.say(_CARRIES[given.holds_for])
     workspace = None if given.workspace is None else as_geojson([given.workspace])
@@ -56,6 +58,7 @@ def scene_of_parts(parts: Parts, options: ImportOptions, notes: Notes, source: s
         goal=given.goal or (),
         workspace=given.workspace_box if workspace is None else workspace,
         bounds=given.reference_bounds,
+        bounds_are_chosen=given.bounds_are_chosen,
         rotation=given.rotation,
         name=given.name,
         description=" ".join(part if part.endswith(".") else f"{part}." for part in sentences),
@@ -97,30 +100,38 @@ def _without_copies(parts: Parts, notes: Notes) -> Parts:
     return replace(parts, obstacles=kept)
 
 
-def _near_origin(parts: Parts, notes: Notes) -> Parts:
-    """Move a scene that is far from the origin to it, if the move rounds no coordinate."""
-    points = list(_world_points(parts))
-    box = _bounds(points)
-    extent = max(box[2] - box[0], box[3] - box[1])
-    if extent <= 0 or max(map(abs, box)) < FAR * extent:
-        return parts
-    unit = math.ldexp(1.0, math.frexp(extent)[1])
-    dx, dy = round(box[0] / unit) * unit, round(box[1] / unit) * unit
-    if not all(_exact(x, dx) and _exact(y, dy) for x, y in points):
-        notes.say("coordinates are far from the origin and cannot be moved there exactly")
-        return parts
-    notes.say(f"everything is moved by ({-dx!r}, {-dy!r}), exactly: coordinates were far from 0")
-    return _moved(parts, dx, dy)
+def _counted(parts: Parts, options: ImportOptions, notes: Notes) -> None:
+    """Say how many things became what, and refuse a plane in which there is nothing to avoid.
 
-
-def _exact(value: float, shift: float) -> bool:
-    """Return whether value − shift is a double; adding shift again then gives value (Knuth 1969).
-
-    The difference d rounds to nearest; d + shift = value and value − d = shift together show that
-    the difference is exact.
+    A workspace that is not a quadrangle has walls of its own, so it needs no obstacles.
     """
-    difference = value - shift
-    return difference + shift == value and value - difference == shift
+    obstacles, robot = len(parts.obstacles), len(parts.robot or [])
+    notes.say(
+        f"{obstacles} obstacle{'s'[obstacles == 1 :]}, robot of {robot} "
+        f"polygon{'s'[robot == 1 :]}, {notes.passed_over} of the file's things became nothing"
+    )
+    walls = parts.workspace is not None and (
+        len(parts.workspace) > 1 or len(parts.workspace[0]) > _QUADRANGLE
+    )
+    if parts.obstacles or walls:
+        return
+    if not options.allow_empty:
+        raise SceneError(
+            "the file has no obstacles, and an answer in an empty plane says nothing about it; "
+            "--allow-empty takes it as it is" + notes.names_met()
+        )
+    notes.say("WARNING: the file has no obstacles" + notes.names_met())
+
+
+def _far(parts: Parts, notes: Notes) -> None:
+    """Say if the coordinates are much larger than the scene; they are planned on as they are."""
+    box = _bounds(list(_world_points(parts)))
+    extent = max(box[2] - box[0], box[3] - box[1])
+    if 0 < extent * FAR <= max(map(abs, box)):
+        notes.say(
+            "coordinates are a million times larger than the scene and are planned on as they "
+            "are; very narrow gaps may stay undecided"
+        )
 
 
 def _world_points(parts: Parts) -> Iterator[Point]:
@@ -140,43 +151,11 @@ def _bounds(points: list[Point]) -> Box:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def _moved(parts: Parts, dx: float, dy: float) -> Parts:
-    def shape(old: Shape) -> Shape:
-        return [[(x - dx, y - dy) for x, y in ring] for ring in old]
-
-    def box(old: Box | None) -> Box | None:
-        return None if old is None else (old[0] - dx, old[1] - dy, old[2] - dx, old[3] - dy)
-
-    def end(old: Configuration | None) -> Configuration | None:
-        return None if old is None else (old[0] - dx, old[1] - dy, old[2])
-
-    return replace(
-        parts,
-        obstacles=[shape(s) for s in parts.obstacles],
-        workspace=shape(parts.workspace) if parts.workspace is not None else None,
-        workspace_box=box(parts.workspace_box),
-        reference_bounds=box(parts.reference_bounds),
-        start=end(parts.start),
-        goal=end(parts.goal),
-    )
-
-
 def _bounded(parts: Parts, notes: Notes) -> Parts:
-    """Give the unbounded plane bounds for the reference point that change no verdict.
-
-    Let r be the robot's largest distance from its reference point, and B a box that contains all
-    obstacles, start and goal, grown by more than r on every side. If the reference point is outside
-    B or on its border, the robot meets no obstacle. The map of every point to the nearest one in B
-    is continuous and leaves points of B fixed, so a free path has a free image in B: the query has
-    the same answer with the bounds B as in the plane.
-    """
+    """Give the unbounded plane bounds for the reference point that change no verdict."""
     if (parts.workspace or parts.workspace_box or parts.reference_bounds) is not None:
         return parts
     radius = max(math.hypot(*p) for shape in parts.robot or [] for p in shape[0])
-    xmin, ymin, xmax, ymax = _bounds(list(_world_points(parts)))
-    size = max(map(abs, (xmin, ymin, xmax, ymax)))
-    margin = radius * BOUNDS_SLACK + size * 2.0**-50  # the second covers the sums' rounding
+    bounds = bounds_of_plane(_bounds(list(_world_points(parts))), radius)
     notes.say("the file states no bounds: reference_bounds are chosen so that no verdict changes")
-    return replace(
-        parts, reference_bounds=(xmin - margin, ymin - margin, xmax + margin, ymax + margin)
-    )
+    return replace(parts, reference_bounds=bounds, bounds_are_chosen=True)

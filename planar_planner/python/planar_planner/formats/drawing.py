@@ -76,7 +76,7 @@ def parts_of(drawing: Drawing, options: ImportOptions, notes: Notes) -> Parts:
     if not (parts.obstacles or parts.robot or parts.workspace):
         raise SceneError(
             "nothing has a role; ids, classes, labels or layers must have the names robot, "
-            "obstacle, workspace, start, goal, or --role must state their roles"
+            "obstacle, workspace, start, goal, or --role must state their roles" + notes.names_met()
         )
     if flattener.met_curves:
         parts.holds_for = "path" if options.flatten == OUTWARDS else "no_path"
@@ -191,12 +191,14 @@ def _filled(winding: int, rule: str) -> bool:
 
 def _is_inside(inner: tuple[Ring, Ring], outer: tuple[Ring, Ring]) -> bool:
     """Return whether one ring is inside another, by all vertices and both sides of each."""
-    answers = {contains(ring, p) for ring in outer for side in inner for p in side}
+    answers = {contains(ring, p): p for ring in outer for side in inner for p in side}
     if len(answers) > 1:
         raise SceneError(
-            "outlines cross or come closer than the tolerance; use a smaller --tolerance"
+            "outlines cross or come closer than the tolerance; use a smaller --tolerance",
+            value=" and ".join(f"({x:.9g}, {y:.9g})" for x, y in answers.values())
+            + " are on both sides",
         )
-    return answers.pop()
+    return next(iter(answers))
 
 
 def mark_of(points: Sequence[Point]) -> Configuration:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from planar_planner.errors import SceneError
+from planar_planner.errors import SceneError, one_line
 from planar_planner.formats.outlines.shapes import shapes_of_geometry
 from planar_planner.formats.parts import Parts
 from planar_planner.problem.goal import is_region
@@ -32,8 +32,8 @@ def parts_of(content: Mapping[str, Any]) -> Parts:
         start=fields.configuration(content["start"], "start"),
         goal=fields.configuration(content["goal"], "goal"),
         rotation=content.get("rotation", True),
-        name=content.get("name", ""),
-        description=content.get("description", ""),
+        name=one_line(content.get("name", "")),  # no format but JSON can hold every character
+        description="\n".join(map(one_line, content.get("description", "").splitlines())),
     )
     workspace = content.get("workspace")
     if workspace is not None and "box" in workspace:

@@ -25,7 +25,10 @@ def read_scene(kind: Format, path: Path, data: bytes, options: ImportOptions) ->
     parts = read_parts(kind, path, data, options, notes)
     parts.name = parts.name or path.stem
     parts.description = parts.description or f"Imported from {path.name} ({kind.title})"
-    parts.robot = chosen_robot(options, notes) or parts.robot
+    robot = chosen_robot(options, notes)
+    if robot and parts.robot:
+        notes.say("the robot in the file gives way to the one of the options")
+    parts.robot = robot or parts.robot
     try:
         return scene_of_parts(parts, options, notes, str(path))
     except SceneError as error:

@@ -29,16 +29,19 @@ class Format:
         Endings of file names, in lower case.
     reader, writer : str
         Module in this package with a function ``read`` or ``write``; empty if there is none.
+    robot_reader : str
+        Function of the reader for a file that is named as the robot.
     """
 
     title: str
     suffixes: tuple[str, ...]
     reader: str
     writer: str = ""
+    robot_reader: str = "read"
 
 
 OMPL_APP = Format("OMPL.app 2-D problem", (".cfg",), "ompl_app")
-COLLADA = Format("Collada mesh", (".dae",), "collada")
+COLLADA = Format("Collada mesh", (".dae",), "collada", robot_reader="read_robot")
 ROS_MAP = Format("ROS map", (".yaml", ".yml"), "ros_map")
 YAP = Format("Yap-style environment", (".txt", ".env"), "yap", "yap")
 YAP_ROBOT = Format("Yap-style robot", (".rob",), "yap")
@@ -57,11 +60,10 @@ _SNIFFED = (  # marks in the beginnings of files whose names do not determine th
     (b"[problem]", OMPL_APP),
     (b"<COLLADA", COLLADA),
     (b"<svg", SVG),
-    (b"POLYGON", WKT),
-    (b"MULTIPOLYGON", WKT),
-    (b"GEOMETRYCOLLECTION", WKT),
 )
+_WKT_MARKS = (b"POLYGON", b"GEOMETRYCOLLECTION")  # in any case of letters
 _SNIFFED_BYTES = 4096
+_PICTURES = (b"\x89PNG\r\n", b"P5", b"P2", b"BM", b"GIF8", b"\xff\xd8\xff")
 
 
 def known_suffix(name: str) -> bool:
@@ -79,10 +81,18 @@ def format_of(path: Path, data: bytes) -> Format | None:
     known = kind_of_suffix(path)
     if known is not None:
         return known
+    if data.startswith(_PICTURES):
+        raise SceneError(
+            "is a picture without scale; a ROS map.yaml states image, resolution and origin",
+            source=str(path),
+        )
     beginning = data[:_SNIFFED_BYTES].lstrip(b"\xef\xbb\xbf \t\r\n")
     if path.suffix.lower() == ".json" or beginning.startswith(b"{"):
         return None
-    return next((kind for mark, kind in _SNIFFED if mark in beginning), None)
+    kind = next((kind for mark, kind in _SNIFFED if mark in beginning), None)
+    if kind is None and any(mark in beginning.upper() for mark in _WKT_MARKS):
+        return WKT
+    return kind
 
 
 def is_geojson(content: object) -> bool:
@@ -95,9 +105,15 @@ def is_geojson(content: object) -> bool:
 
 
 def read_parts(
-    kind: Format, path: Path, data: bytes, options: ImportOptions, notes: Notes
+    kind: Format,
+    path: Path,
+    data: bytes,
+    options: ImportOptions,
+    notes: Notes,
+    *,
+    as_robot: bool = False,
 ) -> Parts:
-    """Read a file's content.
+    """Read a file's content; `as_robot` if the options name the file as the robot.
 
     Raises
     ------
@@ -105,7 +121,7 @@ def read_parts(
         If the file is wrong; the message states file, place and value.
     """
     module = importlib.import_module(f"planar_planner.formats.readers.{kind.reader}")
-    reader: Reader = module.read
+    reader: Reader = getattr(module, kind.robot_reader if as_robot else "read")
     try:
         return reader(data, path, options, notes)
     except SceneError as error:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ from planar_planner.errors import SceneError, cut
 from planar_planner.formats import registry
 from planar_planner.formats.outlines.rings import polygons_of
 from planar_planner.formats.outlines.shapes import shapes_of_geometry
-from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point, Shape
+from planar_planner.formats.parts import ImportOptions, Notes, Point, Shape
 from planar_planner.scene import fields
 from planar_planner.scene.json_file import file_bytes, parse
 
@@ -71,15 +72,20 @@ def _from_file(path: Path, options: ImportOptions, notes: Notes) -> list[Shape]:
         if not registry.is_geojson(content):
             return _of_scene(content, path)
         kind = registry.GEOJSON
-    parts = registry.read_parts(kind, path, data, options, notes)
-    shapes = parts.robot or _only_shape(parts)
-    if not shapes:
-        raise SceneError("has no robot and not exactly one shape", source=str(path))
-    return shapes
-
-
-def _only_shape(parts: Parts) -> list[Shape]:
-    return parts.obstacles if len(parts.obstacles) == 1 else []
+    parts = registry.read_parts(
+        kind, path, data, replace(options, only_robot=True), notes, as_robot=True
+    )
+    if parts.robot:
+        return parts.robot
+    if len(parts.obstacles) != 1:
+        raise SceneError(
+            f"has no robot, and {len(parts.obstacles)} shapes where one alone could be it",
+            source=str(path),
+        )
+    notes.say(
+        f"the only shape of {path.name} is the robot; its reference point is the file's origin"
+    )
+    return parts.obstacles
 
 
 def _of_scene(content: Any, path: Path) -> list[Shape]:

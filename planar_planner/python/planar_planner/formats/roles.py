@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from fnmatch import fnmatchcase
 
@@ -17,14 +18,12 @@ ROLES = (
 )
 
 _KNOWN = (
-    ("robot*", "robot"),
     ("obstacle*", "obstacle"),
     ("workspace*", "workspace"),
     ("reference_bounds*", "reference_bounds"),
-    ("start*", "start"),
-    ("goal*", "goal"),
-    ("origin*", "origin"),
 )
+_WORDS = re.compile(r"(robot|start|goal|origin)s?(?![a-z])", re.IGNORECASE)
+"""Roles of words, since other words begin like these: ``original``, ``startled``, ``robotics``."""
 
 
 def role_of(names: Iterable[str], given: Iterable[tuple[str, str]]) -> str | None:
@@ -42,4 +41,7 @@ def role_of(names: Iterable[str], given: Iterable[tuple[str, str]]) -> str | Non
         for pattern, role in patterns:
             if fnmatchcase(name.lower(), pattern.lower()):
                 return role
+        word = _WORDS.match(name)
+        if word:
+            return word[1].lower()
     return None

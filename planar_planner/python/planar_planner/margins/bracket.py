@@ -21,6 +21,7 @@ from planar_planner.planning.engine import Listener, ask, make_core
 from planar_planner.planning.options import Options
 from planar_planner.planning.outcome import STOPS, DecidedBy, StopReason
 from planar_planner.problem.make import Problem
+from planar_planner.problem.plane import with_robot
 
 SHARE = 0.5
 """Of the time that is left, what one query may take: an undecided one leaves some for others."""
@@ -166,7 +167,8 @@ class Search:
         if body.polygons is None:
             _accept(bracket, body.inner, NO_PATH, body)
             return
-        core = make_core(replace(self._problem, robot=body.polygons))
+        problem = with_robot(self._problem, body.polygons)
+        core = make_core(problem)
         if self._reuse and len(bracket.path):
             check = core.check_path(np.ascontiguousarray(bracket.path))
             if check["valid"]:
@@ -179,7 +181,7 @@ class Search:
             bracket.reason = STOPS[StopReason.TIMEOUT]
             return
         limits = replace(self._options, timeout=max(SHARE * left, 1e-3), contact_tolerance=0.0)
-        answer = ask(core, replace(self._problem, robot=body.polygons), limits, self._listener)
+        answer = ask(core, problem, limits, self._listener)
         bracket.counts["queries"] += 1
         bracket.counts["cells"] += answer["stats"].cells
         if answer["verdict"] == "path":

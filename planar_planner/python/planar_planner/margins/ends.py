@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from planar_planner._core import Core
 from planar_planner.errors import SceneError
@@ -13,6 +13,7 @@ from planar_planner.planning.engine import make_core
 from planar_planner.planning.placement import explanation
 from planar_planner.problem.make import Problem
 from planar_planner.problem.make import ends as both_ends
+from planar_planner.problem.plane import with_robot
 from planar_planner.scene.input_limits import MAX_COORDINATE
 
 
@@ -89,6 +90,6 @@ def _blocked_end(problem: Problem, family: Scalings, low: float, high: float) ->
     body = family.between(low, high)
     if body.polygons is None:
         return None
-    core = make_core(replace(problem, robot=body.polygons))
+    core = make_core(with_robot(problem, body.polygons))
     both = both_ends(problem).items()
     return next((name for name, q in both if core.placement(q)["state"] == "colliding"), None)

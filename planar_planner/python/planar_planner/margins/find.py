@@ -22,6 +22,7 @@ from planar_planner.margins.surroundings import Surroundings
 from planar_planner.planning.engine import Listener, make_core
 from planar_planner.planning.options import Options
 from planar_planner.problem.make import Problem, make_problem
+from planar_planner.problem.plane import with_robot
 
 DEFAULT_WIDTH = 1e-3
 """The width of a bracket of factors; that of distances is this part of half the diagonal of the
@@ -97,7 +98,7 @@ def bracketed(
     began = time.monotonic()
     by, width = asked.by, _width(problem, asked)
     around = Surroundings(problem)
-    ends = ends_of(problem, make_core(problem), around)
+    ends = ends_of(problem, make_core(with_robot(problem, problem.robot)), around)
     family: Family
     if by == "scale":
         scalings = Scalings(problem.robot, asked.about)
@@ -188,8 +189,8 @@ def _result(found: _Measured, narrowest: _Narrowest, seconds: float) -> Margin:
     return Margin(
         scene=found.problem.name,
         by=found.by,
-        lower=bracket.lower,
-        upper=bracket.upper,
+        lower=bracket.lower + 0.0,  # a 0 without a sign
+        upper=bracket.upper + 0.0,
         width=found.width,
         monotone=found.monotone,
         reason=bracket.reason,

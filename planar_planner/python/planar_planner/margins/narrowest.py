@@ -90,7 +90,9 @@ def _lowest_summit(
 
 def _in_bounds(problem: Problem, q: Floats) -> bool:
     box = problem.reference_bounds
-    return box is None or (box[0] <= q[0] <= box[2] and box[1] <= q[1] <= box[3])
+    if box is None or problem.bounds_are_chosen:
+        return True
+    return bool(box[0] <= q[0] <= box[2] and box[1] <= q[1] <= box[3])
 
 
 def _samples(path: Floats, reach: float) -> tuple[Floats, Floats]:

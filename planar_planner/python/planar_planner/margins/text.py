@@ -56,12 +56,17 @@ def _range(margin: Margin) -> str:
     if math.isinf(margin.lower):
         return "the robot can have any size"
     digits = 2 + max(0, math.ceil(-math.log10(margin.width)))
-    low, high = round(margin.lower, digits), round(margin.upper, digits)
+    low, high = _rounded(margin.lower, digits), _rounded(margin.upper, digits)
     what = "scaled by" if margin.by == "scale" else "grown by"
     if margin.by == "offset" and margin.upper <= 0.0:
-        what, low, high = "shrunk by", -high, -low
-        return f"a path for the robot {what} {high!r}, no path for one {what} {low!r}"
+        low, high = _rounded(-margin.lower, digits), _rounded(-margin.upper, digits)
+        return f"a path for the robot shrunk by {low!r}, no path for one shrunk by {high!r}"
     return f"a path for the robot {what} {low!r}, no path for one {what} {high!r}"
+
+
+def _rounded(value: float, digits: int) -> float:
+    """Round to decimal places; 0 has no sign, so that nothing prints as -0.0."""
+    return round(value, digits) + 0.0
 
 
 def _monotone_line(margin: Margin) -> str:

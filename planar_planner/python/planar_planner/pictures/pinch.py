@@ -59,9 +59,9 @@ def draw_wall(
 ) -> Figure:
     """Draw why there is no path: in the plane, enlarged, and in the configuration space.
 
-    The left drawing shows the scene, with the place where the robot would pass with the least depth
-    of overlap. The middle one shows the robot there, and what it overlaps. The right one shows the
-    wall of cells that separates start from goal, with the cells that this way crosses.
+    The left drawing shows the scene, with the place where the wall was found thinnest. The middle
+    one shows the robot there, and what it overlaps. The right one shows the wall of cells that
+    separates start from goal, with the cells that this way crosses.
 
     Parameters
     ----------
@@ -98,7 +98,7 @@ def draw_wall(
     keys += _draw_pinch(whole, problem, bottleneck)
     outlined = workspace_path(problem) is not None
     frame_axes(whole, view_box(problem, _body(problem, bottleneck.at)), outlined=outlined)
-    whole.set_title("where it would pass with the least overlap", color=INK, fontsize=9)
+    whole.set_title("where the wall was found thinnest", color=INK, fontsize=9)
     _draw_close_up(close, problem, bottleneck)
     whole.add_patch(_lens(problem, bottleneck))
     if problem.rotation:
@@ -137,7 +137,7 @@ def _draw_close_up(axes: Axes, problem: Problem, bottleneck: Bottleneck) -> None
     x, y = bottleneck.at[:2]
     room = ROOM * reach(problem.robot)
     frame_axes(axes, (x - room, y - room, x + room, y + room), outlined=False)
-    axes.set_title(f"enlarged: overlap {bottleneck.depth:.3g} deep", color=INK, fontsize=9)
+    axes.set_title("enlarged: what the robot overlaps there", color=INK, fontsize=9)
 
 
 def _draw_pinch(axes: Axes, problem: Problem, bottleneck: Bottleneck) -> list[Any]:
@@ -263,4 +263,4 @@ def _at_angle(bottleneck: Bottleneck, theta: float) -> Bottleneck:
     """Return the bottleneck at another angle; a disc and its wall are the same at any angle."""
     way: Floats = bottleneck.way.copy()
     way[:, 2] = theta
-    return Bottleneck(way, bottleneck.depths, bottleneck.index)
+    return Bottleneck(way, bottleneck.collides, bottleneck.index)

@@ -8,6 +8,7 @@ The start is blue and the goal vermilion, and drawings of the robot fade from on
 from __future__ import annotations
 
 import os
+import warnings
 from pathlib import Path
 
 import matplotlib as mpl
@@ -61,7 +62,8 @@ def save_picture(
     """
     kind = (suffix or Path(file).suffix).lower().removeprefix(".")
     dated = {"png": {"Software": None}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}
-    with mpl.rc_context({"svg.hashsalt": _SALT}):
+    with mpl.rc_context({"svg.hashsalt": _SALT}), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph .* missing")  # a name may be in any script
         figure.savefig(file, dpi=dpi, format=kind, metadata=dated[kind])
 
 

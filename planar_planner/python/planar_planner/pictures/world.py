@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PathCollection
 from matplotlib.patches import Patch, PathPatch
 
+from planar_planner.errors import one_line
 from planar_planner.pictures.shapes import (
     box_path,
     corners,
@@ -98,10 +99,11 @@ def frame_axes(axes: Axes, view: Box, *, outlined: bool) -> None:
 
 def title_of(name: str, result: Result | None) -> str:
     """Return a picture's title: the scene's name and, if known, the verdict."""
+    shown = one_line(name)
     if result is None:
-        return name
+        return shown
     verdicts = {"path": "path found", "no_path": "no path: proven"}
-    return f"{name} – {verdicts.get(result.verdict, f'undecided: {result.reason}')}"
+    return f"{shown} – {verdicts.get(result.verdict, f'undecided: {result.reason}')}"
 
 
 def view_box(problem: Problem, path: Floats) -> Box:

@@ -42,6 +42,8 @@ STOPS: Mapping[StopReason, str] = {
     StopReason.GOAL_TOUCHES_WORKSPACE: _TOUCHES.format("goal", "the workspace"),
     StopReason.MOVED_ENDS: "no path from where the contact tolerance moved the ends; that proves "
     "nothing of the ends themselves",
+    StopReason.NO_EVIDENCE: "an answer was found, but the evidence for it cannot be written: its "
+    "room is within rounding",
     StopReason.LOST_CHANNEL: "the channel search lost a channel",
 }
 """Why a query stayed undecided."""

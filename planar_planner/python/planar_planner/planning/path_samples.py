@@ -78,10 +78,24 @@ def configurations_at(path: ArrayLike, radius: float, where: ArrayLike) -> Float
     if np.isnan(wanted).any():
         raise ValueError("a travel is not a number")
     kept = np.concatenate([[True], np.diff(along) > 0.0])  # waits add nothing, and confuse interp
-    placed = np.column_stack([np.interp(wanted, along[kept], waypoints[kept, k]) for k in range(3)])
+    placed = _interpolated(wanted, along[kept], waypoints[kept])
     placed[wanted <= 0.0] = waypoints[0]
     placed[wanted >= along[-1]] = waypoints[-1]
     return placed
+
+
+def _interpolated(wanted: Floats, along: Floats, waypoints: Floats) -> Floats:
+    """Return the points at `wanted` of a polyline whose parameters increase strictly.
+
+    The fraction of a step is at most 1 however short the step is. A slope, which `numpy.interp`
+    computes, overflows on steps near the smallest double.
+    """
+    if len(along) == 1:
+        return np.repeat(waypoints, len(wanted), axis=0)
+    step = np.clip(np.searchsorted(along, wanted, side="right") - 1, 0, len(along) - 2)
+    fraction = np.clip((wanted - along[step]) / (along[step + 1] - along[step]), 0.0, 1.0)
+    first = waypoints[step]
+    return np.asarray(first + fraction[:, None] * (waypoints[step + 1] - first))
 
 
 def equal_steps(path: ArrayLike, radius: float, step: float) -> Floats:

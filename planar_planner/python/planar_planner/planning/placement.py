@@ -4,9 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from planar_planner._core import Core
 from planar_planner.errors import SceneError
 from planar_planner.problem.make import Problem, ends
+
+SMALL_OVERLAP = 1e-3
+"""Share of the robot's radius up to which an overlap is probably meant as a contact."""
 
 
 def check_placements(core: Core, problem: Problem, contact_tolerance: float) -> None:
@@ -23,7 +28,18 @@ def check_placements(core: Core, problem: Problem, contact_tolerance: float) -> 
     for field, q in ends(problem).items():
         found = core.placement(q)
         if found["state"] in ("colliding", "outside") and found["depth"] > contact_tolerance:
-            raise SceneError(explanation(found, problem), field, str(list(q)), problem.source)
+            hint = _hint(found["depth"], problem) if contact_tolerance == 0 else ""
+            raise SceneError(
+                explanation(found, problem) + hint, field, str(list(q)), problem.source
+            )
+
+
+def _hint(depth: float, problem: Problem) -> str:
+    """Name the tolerance that takes an overlap which is small beside the robot for a contact."""
+    radius = float(np.hypot(*problem.robot.coords.T).max())
+    if depth > SMALL_OVERLAP * radius:
+        return ""
+    return f"; --contact-tolerance {1.1 * depth:.2g} takes it for a contact"
 
 
 def explanation(found: dict[str, Any], problem: Problem) -> str:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -216,6 +217,16 @@ class Planner:
         self._core = core
         if evidence is None:
             return make_result(query.name, answer)
-        return make_result(
-            query.name, answer, make_certificate(query, evidence, limits.contact_tolerance)
-        )
+        written = make_certificate(query, evidence, limits.contact_tolerance)
+        if written is None and answer["verdict"] != "undecided":
+            return _without_evidence(query.name, answer)
+        return make_result(query.name, answer, written)
+
+
+def _without_evidence(scene: str, answer: Mapping[str, Any]) -> Result:
+    """Return an answer whose evidence the core could not write as undecided."""
+    undecided = {"verdict": "undecided", "stop_reason": StopReason.NO_EVIDENCE}
+    stats = answer["stats"].replace(decided_by=None)
+    return make_result(
+        scene, {**answer, **undecided, "stats": stats, "path": [], "ends_moved": False}
+    )

@@ -1,8 +1,9 @@
-"""A result for people at a prompt: one line, or a small table in a notebook."""
+"""A result as text for people: the verdict in one line, and a small table for notebooks."""
 
 from __future__ import annotations
 
 import html
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from planar_planner.errors import cut, one_line, shown
@@ -10,7 +11,7 @@ from planar_planner.errors import cut, one_line, shown
 if TYPE_CHECKING:
     from planar_planner.planning.result import Result
 
-_VERDICTS = {"path": "path found", "no_path": "no path: proven", "undecided": "undecided"}
+_VERDICTS = {"path": "path found", "no_path": "no path, proven", "undecided": "undecided"}
 
 
 def result_line(result: Result) -> str:
@@ -38,3 +39,9 @@ def _figures(result: Result) -> dict[str, str]:
         "waypoints": str(len(result.path)),
         "least clearance": f"{result.least_clearance:.3g}",
     }
+
+
+def headline(result: Result, paint: Callable[[str], str] = str) -> str:
+    """Return the verdict in one line; `paint` may colour its words."""
+    reason = one_line(f" ({result.reason})") if result.reason else ""
+    return f"{one_line(result.scene)}: {paint(_VERDICTS[result.verdict])}{reason}"

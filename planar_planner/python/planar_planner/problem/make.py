@@ -60,6 +60,8 @@ class Problem:
         One polygon; the whole robot stays inside.
     reference_bounds : (xmin, ymin, xmax, ymax) or None
         The reference point stays inside.
+    bounds_are_chosen : bool
+        Whether `reference_bounds` stand for the unbounded plane (`planar_planner.scene.plane`).
     rotation : bool
         Whether the robot may turn. If not, start and goal have the same theta.
     start : (x, y, theta)
@@ -77,6 +79,7 @@ class Problem:
     workspace_box: Box | None
     workspace: Polygons | None
     reference_bounds: Box | None
+    bounds_are_chosen: bool
     rotation: bool
     start: Configuration
     goal: Goal
@@ -130,6 +133,7 @@ def make_problem(scene: Scene, judge: Judge = judged_exactly) -> Problem:
         workspace_box=workspace_box,
         workspace=workspace,
         reference_bounds=reference_bounds,
+        bounds_are_chosen=scene.bounds_are_chosen,
         rotation=rotation,
         start=start,
         goal=goal,

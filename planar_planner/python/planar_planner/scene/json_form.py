@@ -48,6 +48,7 @@ def scene_of_json(content: object, source: str, default_name: str) -> Scene:
                 "source": source,
                 "notes": (),
                 "holds_for": "",
+                "bounds_are_chosen": False,
             }
         )
     except SceneError as error:

@@ -26,7 +26,7 @@ class Scene:
 
     Geometry is taken as shapely objects, as GeoJSON mappings, or as arrays of vertices, shape
     (n, 2), and kept as GeoJSON. Lengths are in any one unit, angles in radians, anticlockwise. Two
-    scenes are equal if all but `source`, `notes` and `holds_for` is.
+    scenes are equal if all but `source`, `notes`, `holds_for` and `bounds_are_chosen` is.
 
     Attributes
     ----------
@@ -58,6 +58,9 @@ class Scene:
     holds_for : str
         The verdict that carries over to the curves of such a file, ``path`` or ``no_path``; empty
         if both do.
+    bounds_are_chosen : bool
+        Whether `bounds` stand for the unbounded plane (`planar_planner.scene.plane`): a file in an
+        outside format states none, and a margin chooses them anew for each larger robot.
 
     Raises
     ------
@@ -78,6 +81,7 @@ class Scene:
     source: str = field(compare=False)
     notes: tuple[str, ...] = field(compare=False)
     holds_for: str = field(compare=False)
+    bounds_are_chosen: bool = field(compare=False)
 
     def __init__(
         self,
@@ -94,6 +98,7 @@ class Scene:
         source: str = "",
         notes: tuple[str, ...] = (),
         holds_for: str = "",
+        bounds_are_chosen: bool = False,
     ) -> None:
         given: dict[str, Any] = {"robot": robot, "obstacles": obstacles}
         given |= {"start": start, "goal": goal, "rotation": rotation}
@@ -105,7 +110,8 @@ class Scene:
         except SceneError as error:
             raise error.in_source(source or cut(str(name))) from None
         values["source"] = source or cut(name)
-        _fill(self, values | {"notes": tuple(notes), "holds_for": holds_for})
+        values |= {"notes": tuple(notes), "holds_for": holds_for}
+        _fill(self, values | {"bounds_are_chosen": bounds_are_chosen})
 
     def __hash__(self) -> int:
         return hash((self.name, self.description))

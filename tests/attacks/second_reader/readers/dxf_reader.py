@@ -119,6 +119,8 @@ def shown_by_layer(data: bytes) -> _Shown:
     """Return what a file shows."""
     text = data.decode("utf-8-sig", errors="replace").replace("\r\n", "\n")
     document = ezdxf.read(io.StringIO(text))
+    for line in document.entitydb.query("POLYLINE"):  # the add-on draws control frames too
+        line.vertices[:] = [v for v in line.vertices if not v.dxf.get("flags", 0) & 16]
     shown = _Shown()
     config = Configuration(
         hatch_policy=HatchPolicy.SHOW_SOLID,

@@ -14,9 +14,12 @@ namespace rounding {
 
 namespace {
 
+// No workspace: nothing lies outside.
+const planner::PolygonSet kNothing;
+
 planner::ObstacleTree tree_of(planner::PolygonSet& set, const PairCase& c) {
   set.append({{c.b}});
-  return {set, c.frame, {}};
+  return {{set, kNothing}, c.frame, {}};
 }
 
 // The way from the obstacle's circle or box to the translations' rectangle, and what is left of it

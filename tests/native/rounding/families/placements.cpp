@@ -21,7 +21,7 @@ Placement place(World& world, const Configuration& q) {
 }
 
 Configuration any_configuration(Random& random, const World& world, const double theta) {
-  const planner::Rectangle& box = *world.problem.scene.box;
+  const planner::Rectangle& box = *world.problem.given.box;
   return {random.between(box.low.x, box.high.x), random.between(box.low.y, box.high.y), theta};
 }
 
@@ -91,8 +91,8 @@ exact::Ball inner_radius(const World& world) {
 bool confirm_domain(const World& world) {
   using exact::Ball;
   const planner::Domain& d = world.problem.domain;
-  const exact::Vector low = exact::framed(world.problem.frame, world.problem.scene.box->low);
-  const exact::Vector high = exact::framed(world.problem.frame, world.problem.scene.box->high);
+  const exact::Vector low = exact::framed(world.problem.frame, world.problem.given.box->low);
+  const exact::Vector high = exact::framed(world.problem.frame, world.problem.given.box->high);
   const Ball distance = origin_distance(world.robot.back());
   const Ball inner = inner_radius(world);
   const Ball beyond[] = {low.x - Ball(d.low.x), low.y - Ball(d.low.y),
@@ -105,14 +105,14 @@ bool confirm_domain(const World& world) {
 }
 
 // A thin robot whose sharp end points at its origin, which lies just beyond it or within.
-planner::Scene pointed(Random& random) {
+planner::Problem pointed(Random& random) {
   const double tip = random.sign() * random.magnitude(1e-6, 0.5);
   const double thin = random.magnitude(1e-16, 1e-9);
   pdg::Ring ring{{tip, 0.0}, {tip + 1.0, -thin * random.unit()}, {tip + 1.0, thin}};
   const double angle = random.one_in(2) ? 0.0 : random.between(0.0, 6.3);
   const pdg::Rotation turn{std::cos(angle), std::sin(angle)};
   for (Vec2& p : ring) p = pdg::rotate(turn, p);
-  planner::Scene scene;
+  planner::Problem scene;
   scene.box = planner::Rectangle{{-1.0, -2.0}, {random.between(1.0, 3.0), 2.0}};
   if (strictly_convex(ring)) scene.robot.append({{ring}});
   return scene;
@@ -143,9 +143,9 @@ std::vector<Tally> placements(const Request& request) {
     }
   }
   while (domain.inputs < request.inputs) {
-    planner::Scene scene = request.adversarial && random.one_in(2)
-                               ? pointed(random)
-                               : any_stage(random, request.adversarial).scene;
+    planner::Problem scene = request.adversarial && random.one_in(2)
+                                 ? pointed(random)
+                                 : any_stage(random, request.adversarial).scene;
     if (scene.robot.size() == 0) continue;
     const World world(std::move(scene));
     ++domain.inputs;

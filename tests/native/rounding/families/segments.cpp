@@ -53,11 +53,11 @@ std::vector<Tally> segments(const Request& request) {
     const Way way = way_of(random, c, request.adversarial);
     const pdg::ConvexPiece a = pdg::make_piece(c.a, exact::robot_frame(c.frame));
     const pdg::ConvexPiece b = pdg::make_piece(c.b, c.frame);
-    planner::Problem problem;
+    planner::ScaledProblem problem;
     problem.frame = c.frame;
     problem.domain = c.space.domain;
-    const planner::Pose from = planner::pose_of(problem, way.from);
-    const planner::Pose to = planner::pose_of(problem, way.to);
+    const planner::ScaledConfiguration from = planner::scaled(problem, way.from);
+    const planner::ScaledConfiguration to = planner::scaled(problem, way.to);
     active.clear();
     pdg::all_constraints(a, b, active);
     Interval interval{0.0, 1.0};

@@ -9,7 +9,7 @@
 #include "pdg/native/geometry/convex_piece.hpp"
 #include "pdg/native/separation/separation.hpp"
 #include "planar_planner/native/configurations/dyadic_box.hpp"
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/problem.hpp"
 
 namespace exact {
 

@@ -6,15 +6,26 @@ import argparse
 import math
 import sys
 from pathlib import Path
+from typing import Any
 
 from planar_planner.cli.arguments.shared import real_number
 from planar_planner.cli.progress import Progress
-from planar_planner.errors import one_line
+from planar_planner.errors import SceneError, one_line
 from planar_planner.formats.parts import INWARDS, OUTWARDS, ImportOptions
 from planar_planner.formats.roles import ROLES
-from planar_planner.load import load_scene
-from planar_planner.output_files import complain
+from planar_planner.load import load_scene, scene_of_bytes
+from planar_planner.output_files import check_distinct, complain
+from planar_planner.scene.input_limits import MAX_FILE_BYTES
 from planar_planner.scene.model import Scene
+
+STDIN = "-"
+_OUTPUTS = {
+    "out": "the output",
+    "json": "--json",
+    "certificate": "the certificate",
+    "plot": "--plot",
+}
+"""Arguments that name files to write, or a certificate to read, and what messages call them."""
 
 
 def add_importing(command: argparse.ArgumentParser) -> None:
@@ -45,6 +56,9 @@ def add_importing(command: argparse.ArgumentParser) -> None:
         "--unknown", action="store_true", help="treat unknown cells of a map as obstacles"
     )
     group.add_argument(
+        "--allow-empty", action="store_true", help="take a file in which nothing is an obstacle"
+    )
+    group.add_argument(
         "--flatten",
         choices=(OUTWARDS, INWARDS),
         default=OUTWARDS,
@@ -56,6 +70,12 @@ def add_importing(command: argparse.ArgumentParser) -> None:
         metavar="LENGTH",
         type=_length,
         help="greatest distance of an edge from its curve (default: a thousandth of the drawing)",
+    )
+    group.add_argument(
+        "--join",
+        metavar="LENGTH",
+        type=_length,
+        help="join ends of a drawing's lines that are this far apart (default: a millionth of it)",
     )
     group.add_argument(
         "--role",
@@ -77,8 +97,10 @@ def import_options(arguments: argparse.Namespace) -> ImportOptions:
         footprint=arguments.footprint,
         padding=arguments.padding,
         unknown=arguments.unknown,
+        allow_empty=arguments.allow_empty,
         flatten=arguments.flatten,
         tolerance=arguments.tolerance,
+        join=arguments.join,
         roles=tuple(arguments.role),
     )
 
@@ -114,9 +136,42 @@ def _role(text: str) -> tuple[str, str]:
 
 def scene_of(arguments: argparse.Namespace, name: str, *, quiet: bool = False) -> Scene:
     """Load a scene with the start, goal, robot and import options that the arguments state."""
+    _check_files(arguments, name)
     with Progress(sys.stderr, f"reading {one_line(name)}", quiet=quiet):
-        scene = load_scene(name, import_options(arguments))
+        options = import_options(arguments)
+        scene = _of_stdin(options) if name == STDIN else load_scene(name, options)
     if not quiet:
         for note in scene.notes:
             complain(f"{name}: {note}")
     return scene
+
+
+def _of_stdin(options: ImportOptions) -> Scene:
+    """Read a scene, of any format that its content tells, from standard input."""
+    if sys.stdin is None:
+        raise SceneError("cannot read the scene: standard input is closed", source=STDIN)
+    data = sys.stdin.buffer.read(MAX_FILE_BYTES + 1)
+    if len(data) > MAX_FILE_BYTES:
+        raise SceneError(f"is larger than {MAX_FILE_BYTES} bytes", source="standard input")
+    return scene_of_bytes(data, Path("standard input"), options)
+
+
+def _check_files(arguments: argparse.Namespace, name: str) -> None:
+    """Find out before the work that an output would overwrite an input or another output."""
+    given = vars(arguments)
+    inputs = {"the scene": Path(name)}
+    if given.get("robot") is not None:
+        inputs["--robot"] = given["robot"]
+    outputs = {
+        label: Path(given[key])
+        for key, label in _OUTPUTS.items()
+        if given.get(key) not in (None, STDIN)
+    }
+    check_distinct(inputs, outputs)
+
+
+def import_json(scene: Scene) -> dict[str, Any]:
+    """Return what an importer said, as members of a JSON answer; none for scene files."""
+    if not scene.notes:
+        return {}
+    return {"notes": list(scene.notes), "holds_for": scene.holds_for}

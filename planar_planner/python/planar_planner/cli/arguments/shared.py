@@ -47,7 +47,8 @@ def add_scene(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "scene",
         metavar="SCENE",
-        help="a built-in name (see list) or a file, a scene or any other known format",
+        help="a built-in name (see list) or a file, a scene or any other known format; - for "
+        "standard input",
     )
 
 

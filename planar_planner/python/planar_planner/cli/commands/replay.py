@@ -21,9 +21,9 @@ from planar_planner.cli.arguments.shared import (
 )
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
-from planar_planner.cli.report import headline
 from planar_planner.errors import OptionsError
 from planar_planner.output_files import check_writable, emit, written_aside
+from planar_planner.planning.result_text import headline
 
 if TYPE_CHECKING:
     from planar_planner.physics import Push

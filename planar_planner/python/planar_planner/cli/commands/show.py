@@ -121,4 +121,4 @@ def _goal_text(goal: Goal) -> str:
 
 
 def _text(q: Configuration) -> str:
-    return f"({q[0]:g}, {q[1]:g}, {q[2]:g})"
+    return f"({q[0]:.12g}, {q[1]:.12g}, {q[2]:.6g})"  # a place far off keeps its last metres

@@ -7,16 +7,17 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from planar_planner.cli.arguments.importing import scene_of
+from planar_planner.cli.arguments.importing import import_json, scene_of
 from planar_planner.cli.arguments.limits import options_of
 from planar_planner.cli.arguments.query import add_query
 from planar_planner.cli.arguments.shared import VERDICTS, add_command, add_plot
 from planar_planner.cli.arguments.view import add_view, view_of
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
-from planar_planner.cli.report import headline, statistics
+from planar_planner.cli.report import statistics
 from planar_planner.cli.terminal import VERDICT_STYLES, styled
 from planar_planner.output_files import check_writable, complain, emit, written_aside
+from planar_planner.planning.result_text import headline
 
 if TYPE_CHECKING:
     from planar_planner.planning.options import Options
@@ -67,14 +68,18 @@ def run(arguments: argparse.Namespace) -> int:
             options=options, listener=progress, certificate=arguments.certificate is not None
         )
     if not output.to_stdout:
-        print_verdict(result, brief=arguments.quiet or arguments.verdict_only)
-    output.write(result.to_json())
+        brief = arguments.quiet or arguments.verdict_only
+        print_verdict(result, brief=brief, contact_tolerance=options.contact_tolerance)
+    output.write(result.to_json() | import_json(scene))
     if scene.holds_for and result.verdict not in (scene.holds_for, "undecided"):
         complain(one_sided(scene.holds_for))
     if arguments.certificate is not None:
         _write_certificate(result, arguments.certificate)
     if arguments.plot is not None:
-        _draw(planner, result, view, arguments, options)
+        try:
+            _draw(planner, result, view, arguments, options)
+        except KeyboardInterrupt:  # the verdict is printed, and the status states it all the same
+            complain(f"interrupted; {arguments.plot} is not written")
     return EXIT_STATUS[result.verdict]
 
 
@@ -120,8 +125,9 @@ def one_sided(holds_for: str) -> str:
     )
 
 
-def print_verdict(result: Result, *, brief: bool) -> None:
+def print_verdict(result: Result, *, brief: bool, contact_tolerance: float = 0.0) -> None:
     """Print the verdict, coloured on a terminal, and the statistics unless `brief`."""
     style = VERDICT_STYLES[result.verdict]
     first = headline(result, lambda verdict: styled(verdict, style, sys.stdout))
-    emit(first if brief else f"{first}\n{statistics(result)}")
+    more = "" if brief else f"\n{statistics(result, contact_tolerance=contact_tolerance)}"
+    emit(first + more)

@@ -13,8 +13,12 @@ from planar_planner.cli.arguments.shared import add_command, add_json, add_scene
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
 from planar_planner.cli.terminal import VERDICT_STYLES, styled
+from planar_planner.cli.time_limit import OutOfTimeError, time_limit
 from planar_planner.errors import CertificateError, CertificateRejected, one_line
 from planar_planner.output_files import complain, emit
+
+TIMEOUT = 600.0
+"""Seconds. The certificates of the shipped scenes take some seconds at most."""
 
 _VERDICTS = {"path": "path", "no_path": "no path"}
 _STYLES = {"valid": VERDICT_STYLES["path"], "rejected": VERDICT_STYLES["no_path"]}
@@ -30,7 +34,7 @@ def add(commands: Any) -> None:
             "solve gear-jammed --certificate jammed.json.gz",
             "verify gear-jammed jammed.json.gz",
         ),
-        status="0 valid, 1 rejected, 2 unreadable, or bad input or usage",
+        status="0 valid, 1 rejected, 2 unreadable, or bad input or usage, 3 out of time",
     )
     add_scene(verify)
     verify.add_argument("certificate", metavar="CERT", help="a file that solve --certificate wrote")
@@ -43,16 +47,23 @@ def add(commands: Any) -> None:
         default=0.0,
         help="how far the ends of a path may have been moved off contact (default: %(default)g)",
     )
+    verify.add_argument(
+        "--timeout",
+        type=real_number,
+        metavar="SECONDS",
+        default=TIMEOUT,
+        help="time of the check, or inf (default: %(default)g)",
+    )
     verify.set_defaults(run=run)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Verify, then report: 0 valid, 1 rejected, 2 unreadable."""
+    """Verify, then report: 0 valid, 1 rejected, 2 unreadable, 3 out of time."""
     output = json_output(arguments.json)
     scene = scene_of(arguments, arguments.scene)
     with Progress(sys.stderr, "checking the certificate"):
-        status, finding = _finding(scene, arguments.certificate, arguments.contact_tolerance)
-    if status == 2 and not output.to_stdout:
+        status, finding = _finding(scene, arguments)
+    if status in (2, 3) and not output.to_stdout:
         complain(f"{arguments.certificate}: {finding['problem']}")
     elif not output.to_stdout:
         emit(_headline(finding))
@@ -60,23 +71,28 @@ def run(arguments: argparse.Namespace) -> int:
     return status
 
 
-def _finding(scene: Any, certificate: str, tolerance: float) -> tuple[int, dict[str, Any]]:
+def _finding(scene: Any, arguments: argparse.Namespace) -> tuple[int, dict[str, Any]]:
     """Return the exit status, and the finding as JSON."""
     from planar_planner.checker.verify import verify_certificate  # takes numpy
 
     began = time.monotonic()
     common = {"format": "planar-planner/verification", "version": 1, "scene": scene.name}
     try:
-        proven = dataclasses.asdict(verify_certificate(scene, certificate, tolerance))
+        with time_limit(arguments.timeout):
+            proven = dataclasses.asdict(
+                verify_certificate(scene, arguments.certificate, arguments.contact_tolerance)
+            )
     except CertificateRejected as found:
         status, content = 1, {"claim": one_line(found.place), "problem": one_line(found.problem)}
     except CertificateError as found:
         status, content = 2, {"claim": "", "problem": one_line(str(found))}
+    except OutOfTimeError:
+        status, content = 3, {"claim": "", "problem": "time limit reached; see --timeout"}
     except MemoryError:
         status, content = 2, {"claim": "", "problem": "is too large for the memory"}
     else:
         status, content = 0, proven
-    finding = ("valid", "rejected", "unreadable")[status]
+    finding = ("valid", "rejected", "unreadable", "undecided")[status]
     seconds = round(time.monotonic() - began, 3)
     return status, common | {"finding": finding} | content | {"seconds": seconds}
 

@@ -93,7 +93,12 @@ def _united(polygons: Any, rings: Sequence[Ring]) -> list[Shape] | None:
     """
     import shapely
 
-    union = shapely.union_all(polygons)
+    if not shapely.is_valid(polygons).all():
+        return None  # a face that crosses itself is refused with its place, not united
+    try:
+        union = shapely.union_all(polygons)
+    except shapely.errors.GEOSException:  # GEOS gives up on some overlaps of rounded corners
+        return None
     parts = [p for p in shapely.get_parts(union) if p.geom_type == "Polygon"]
     shapes = [
         [[(x, y) for x, y in ring.coords[:-1]] for ring in (part.exterior, *part.interiors)]

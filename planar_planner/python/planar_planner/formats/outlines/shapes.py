@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from planar_planner.errors import SceneError, shown
-from planar_planner.formats.outlines.rings import polygons_of
+from planar_planner.formats.outlines.holes import check_holes
+from planar_planner.formats.outlines.rings import polygons_of, without_repeats
 from planar_planner.formats.parts import Notes, Point, Ring, Shape
 from planar_planner.scene import fields
 from planar_planner.scene.geojson import iter_polygons
@@ -22,12 +23,19 @@ def repaired(geometry: object, path: str, notes: Notes) -> list[Shape]:
     """Return a geometry's polygons, valid and of the same region; see `polygons_of`.
 
     Rings after the first are holes in either orientation (the even–odd rule).
+
+    Raises
+    ------
+    SceneError
+        If a hole does not lie in its shell or shares area with another hole.
     """
-    return [
-        shape
-        for place, rings in shapes_of_geometry(geometry, path)
-        for shape in polygons_of(rings, place, notes, "evenodd" if len(rings) > 1 else None)
-    ]
+    found: list[Shape] = []
+    for place, rings in shapes_of_geometry(geometry, path):
+        shapes = polygons_of(rings, place, notes, "evenodd" if len(rings) > 1 else None)
+        if len(rings) > 1 and shapes != [[without_repeats(ring) for ring in rings]]:
+            check_holes(rings, shapes, place)
+        found += shapes
+    return found
 
 
 def _ring(value: Any, path: str) -> Ring:

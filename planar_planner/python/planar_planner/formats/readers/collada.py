@@ -50,8 +50,15 @@ class Mesh:
 
 
 def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
-    """Read a mesh as a robot whose reference point is the mean of its vertices."""
+    """Read a mesh as obstacles in the file's own frame; it states nothing else."""
     del path, options
+    return Parts(obstacles=region(mesh_of(data), notes))
+
+
+def read_robot(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
+    """Read a mesh as a robot whose reference point is the mean of its vertices."""
+    del options
+    notes.say(f"the reference point of the mesh {path.name} is the mean of its vertices")
     return Parts(robot=centred(mesh_of(data), notes))
 
 
@@ -60,12 +67,23 @@ def centred(mesh: Mesh, notes: Notes) -> list[Shape]:
     count = len(mesh.corners)
     x0 = math.fsum(x for x, _ in mesh.corners) / count
     y0 = math.fsum(y for _, y in mesh.corners) / count
-    return merged([[(x - x0, y - y0) for x, y in face] for face in mesh.faces], "robot", notes)
+    return _united([[(x - x0, y - y0) for x, y in face] for face in mesh.faces], "robot", notes)
 
 
 def region(mesh: Mesh, notes: Notes) -> list[Shape]:
     """Return the region of a mesh in the file's own frame."""
-    return merged(mesh.faces, "world", notes)
+    return _united(mesh.faces, "world", notes)
+
+
+def _united(faces: list[Ring], place: str, notes: Notes) -> list[Shape]:
+    try:
+        return merged(faces, place, notes)
+    except SceneError as error:
+        raise SceneError(
+            f"a face, projected to the plane, is refused: {error.problem}; triangulate the mesh",
+            place,
+            error.value,
+        ) from None
 
 
 def mesh_of(data: bytes) -> Mesh:
@@ -129,6 +147,8 @@ def _add_node(
     if depth > _MAX_DEPTH or document.placed > _MAX_NODES:
         raise SceneError("is nested too deeply, or contains itself", place)
     matrix = above @ _transform(node, place)
+    if node.find("instance_controller") is not None:
+        raise SceneError("is a skinned or morphed mesh, which is not read; export the mesh", place)
     for instance in node.findall("instance_geometry"):
         geometry = document.find(instance.get("url"), f"{place}, instance_geometry")
         _add_geometry(document, geometry, matrix, mesh)

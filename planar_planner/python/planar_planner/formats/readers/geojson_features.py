@@ -20,6 +20,8 @@ from planar_planner.scene.fields import Box, Configuration
 from planar_planner.scene.json_file import parse
 
 ROLES = ("robot", "obstacle", "workspace", "start", "goal", "reference_bounds")
+_WITHOUT_AREA = ("Point", "MultiPoint", "LineString", "MultiLineString")
+_AREAL = ("Polygon", "MultiPolygon")
 
 
 def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
@@ -60,7 +62,8 @@ def _take(feature: Mapping[str, object], place: str, parts: Parts, notes: Notes)
         given = feature.get("properties")
         properties = fields.mapping(given, f"{dot}properties") if given is not None else {}
         dot += "geometry."
-    role = properties.get("role", "obstacle")
+    role = properties.get("role")
+    role = "obstacle" if role is None else role
     where = dot.rstrip(".")
     if role not in ROLES:
         hint = fields.suggestion(role, ROLES) if isinstance(role, str) else ""
@@ -70,7 +73,8 @@ def _take(feature: Mapping[str, object], place: str, parts: Parts, notes: Notes)
             raise SceneError(f"a second {role}", where)
         setattr(parts, role, _mark(geometry, properties, place, where))
         return
-    shapes = repaired(_bare(geometry, where), where or "geometry", notes)
+    areal = _areal(geometry, where, notes if role == "obstacle" else None)
+    shapes = [s for part, at in areal for s in repaired(part, at or "geometry", notes)]
     if role == "obstacle":
         parts.obstacles += shapes
     elif role == "robot":
@@ -83,10 +87,36 @@ def _take(feature: Mapping[str, object], place: str, parts: Parts, notes: Notes)
         parts.reference_bounds = _rectangle(shapes, where)
 
 
-def _bare(geometry: object, where: str) -> object:
-    """Return a geometry without members that other programs add."""
+def _areal(geometry: object, where: str, notes: Notes | None) -> list[tuple[object, str]]:
+    """Return the geometries with area, without members that other programs add, and their places.
+
+    Geometries without area are counted in the notes and left out; without notes nothing is left
+    out, so that what reads them refuses them.
+    """
+    if notes is not None and geometry is None:
+        notes.pass_over("features without geometry (null) left out")
+        return []
     members = fields.mapping(geometry, where)
-    return {k: v for k, v in members.items() if k in ("type", "coordinates", "geometries")}
+    if notes is not None and members.get("type") in _WITHOUT_AREA:
+        notes.pass_over(f"{members['type']} geometries left out, which have no area")
+        return []
+    if notes is not None and members.get("type") in _AREAL and members.get("coordinates") == []:
+        notes.pass_over("empty geometries left out")
+        return []
+    inner = members.get("geometries")
+    if (
+        notes is not None
+        and members.get("type") == "GeometryCollection"
+        and isinstance(inner, list)
+    ):
+        dot = f"{where}." if where else ""
+        return [
+            found
+            for i, part in enumerate(inner)
+            for found in _areal(part, f"{dot}geometries[{i}]", notes)
+        ]
+    kept = ("type", "coordinates", "geometries")
+    return [({k: v for k, v in members.items() if k in kept}, where)]
 
 
 def _mark(

@@ -8,9 +8,8 @@ parameter file given with ``--robot``; start and goal come from the command line
 from __future__ import annotations
 
 import math
-import warnings
+import re
 from collections.abc import Iterator, Mapping
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -20,18 +19,18 @@ from numpy.typing import NDArray
 from planar_planner.errors import SceneError, cut, shown
 from planar_planner.formats.outlines.occupancy import GridRing, grid_polygons
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point
+from planar_planner.formats.readers.map_image import Image, decoded, summed
 from planar_planner.formats.reading import require, text_of
 from planar_planner.formats.robots import from_footprint
 from planar_planner.scene import fields
 from planar_planner.scene.json_file import file_bytes
 
-MAX_CELLS = 2**26
-"""Largest number of cells of a map, 8192 × 8192; reading takes some ten bytes per cell."""
-
 _MAX_DEPTH = 50  # depth of nested parameters in a parameter file
 _MAX_TEXT = 2**20  # bytes of a YAML file; its parser is slow, and such files are small
 _MAX_BRACKETS = 1000  # brackets in a YAML file; the parser takes time quadratic in their nesting
 _MODES = ("trinary", "scale", "raw")
+_EXPONENT = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+$")
+"""Numbers such as 1e-05, which YAML 1.2 reads as numbers and PyYAML (YAML 1.1) as text."""
 
 
 def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
@@ -44,9 +43,11 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
         parts.robot = from_footprint(footprint[0], padding, "footprint", notes)
     if "image" not in content:
         if footprint is None:
+            if any("robot_radius" in members for members in _mappings(content, 0)):
+                raise SceneError("is a disc; a polygon is needed, see --footprint", "robot_radius")
             raise SceneError("is missing; a map names its image", "image")
         return parts
-    occupied = occupied_cells(content, path, unknown=options.unknown)
+    occupied = occupied_cells(content, path, notes, unknown=options.unknown)
     place = _Placement(content, occupied.shape)
     parts.obstacles = [
         [place.ring(ring) for ring in polygon] for polygon in grid_polygons(occupied)
@@ -62,14 +63,17 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
 
 
 def occupied_cells(
-    content: Mapping[str, object], path: Path, *, unknown: bool
+    content: Mapping[str, object], path: Path, notes: Notes, *, unknown: bool
 ) -> NDArray[np.bool_]:
     """Return which cells are obstacles, the lowest row first.
 
-    The occupancy is p = (255 − value) / 255, or value / 255 if ``negate``. A cell is occupied if
-    p ≥ ``occupied_thresh``, free if p ≤ ``free_thresh``, and unknown between. In mode ``scale``
-    values between are partly occupied, which counts as unknown here, and transparent cells are
-    unknown. In mode ``raw`` the value is the occupancy in percent, and above 100 it is unknown.
+    The rules are those of Nav2's map server up to 2024 (``map_io.cpp``, Humble to Jazzy). The
+    shade of a cell is the mean of red, green and blue, in mode ``trinary`` of its opacity too if
+    the image has an alpha channel. The occupancy is p = 1 − shade, or the shade if ``negate``. A
+    cell is occupied if p > ``occupied_thresh``, free if p < ``free_thresh``, and unknown between.
+    In mode ``scale`` values between are partly occupied, which counts as unknown here, and cells
+    that are not opaque are unknown. In mode ``raw`` the shade, in 255ths, is the occupancy in
+    percent, and above 100 it is unknown.
     """
     name = fields.text(content.get("image"), "image")
     mode = content.get("mode", "trinary")
@@ -82,50 +86,51 @@ def occupied_cells(
     negate = content.get("negate", 0)
     if negate not in (0, 1):
         raise SceneError("must be 0 or 1", "negate", shown(negate))
-    values, opaque = _image(path.parent / name)
+    image = _image(path.parent / name)
+    total, top = summed(image, with_opacity=mode == "trinary")
+    known = np.ones(total.shape, dtype=np.bool_)
     if mode == "raw":
-        known = np.rint(values) <= 100
-        share = np.rint(values) / 100
+        percent = np.rint(total / top * 255)
+        known, share = percent <= 100, percent / 100
     else:
-        known = opaque if mode == "scale" else np.ones_like(opaque)
-        share = values / 255 if negate else (255 - values) / 255
-    cells = known & (share >= occupied_at)
+        share = (total if negate else top - total) / top
+        if mode == "scale" and image.alpha is not None:
+            known = image.alpha == image.top
+    cells = known & (share >= occupied_at if mode == "raw" else share > occupied_at)
     if unknown:
-        cells |= ~known | ((share > free_at) & (share < occupied_at))
+        cells |= ~known | (share > free_at if mode == "raw" else share >= free_at)
+    _say_rules(image, bool(np.isin(share, (occupied_at, free_at)).any()), mode, notes)
     return np.ascontiguousarray(cells[::-1])
 
 
-def _image(file: Path) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """Return the mean of the colours of each cell, 0 to 255, and whether it is opaque."""
+def _say_rules(image: Image, at_threshold: bool, mode: object, notes: Notes) -> None:
+    """Say which rule of Nav2 is followed where its map servers of 2024 and 2025 differ."""
+    if image.alpha is not None and mode == "trinary":
+        notes.say(
+            "the image has an alpha channel: opacity is averaged in with the colours, as in Nav2's "
+            "map server up to 2024; since 2025 it takes cells that are not opaque as unknown"
+        )
+    elif image.alpha is not None:
+        notes.say(f"the image has an alpha channel, taken as Nav2's map server does in mode {mode}")
+    if image.coloured:
+        notes.say(
+            "the image has colours: their mean counts, as in Nav2's map server up to 2024; since "
+            "2025 it takes their luminance"
+        )
+    if at_threshold and mode != "raw":
+        notes.say(
+            "cells exactly at a threshold are unknown, as in Nav2's map server up to 2024; since "
+            "2025 they are occupied or free"
+        )
+
+
+def _image(file: Path) -> Image:
+    """Return the image of a map."""
     data = file_bytes(file, str(file))
     try:
-        mode, pixels = _decoded(data)
+        return decoded(data)
     except SceneError as error:
         raise error if error.source else error.in_source(str(file)) from None
-    except Exception as error:  # decoders raise many types on a broken file
-        raise SceneError(f"is not an image: {cut(str(error))}", source=str(file)) from None
-    channels = pixels.reshape(*pixels.shape[:2], -1).astype(np.float64)
-    opaque = np.ones(pixels.shape[:2], dtype=np.bool_)
-    if mode in ("LA", "RGBA"):
-        opaque = channels[..., -1] == 255
-        channels = channels[..., :-1]
-    return channels.mean(axis=2), opaque
-
-
-def _decoded(data: bytes) -> tuple[str, NDArray[np.uint8]]:
-    """Return Pillow's name of the channels, and the pixels."""
-    image_module: Any = require("PIL.Image", "reading a map's image", "ros")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # the warnings are about size, which is checked here
-        image = image_module.open(BytesIO(data), formats=("PPM", "PNG", "BMP"))
-        if image.size[0] * image.size[1] > MAX_CELLS:
-            raise SceneError(f"has more than {MAX_CELLS} cells")
-        if image.mode in ("P", "1"):
-            image = image.convert("RGBA" if image.mode == "P" else "L")
-        pixels = np.asarray(image)
-    if pixels.dtype != np.uint8 or image.mode not in ("L", "LA", "RGB", "RGBA"):
-        raise SceneError("must have 8 bits per channel", value=image.mode)
-    return image.mode, pixels
 
 
 class _Placement:
@@ -165,9 +170,11 @@ def _yaml(data: bytes) -> object:
     text = text_of(data)
     if text.count("[") + text.count("{") > _MAX_BRACKETS:
         raise SceneError(f"has more than {_MAX_BRACKETS} brackets, which no map has")
+    loader: Any = type("Loader", (yaml.SafeLoader,), {})
+    loader.add_implicit_resolver("tag:yaml.org,2002:float", _EXPONENT, list("-+.0123456789"))
     try:
         aliases = any(isinstance(token, yaml.AliasToken) for token in yaml.scan(text))
-        content: object = None if aliases else yaml.safe_load(text)
+        content: object = None if aliases else yaml.load(text, Loader=loader)  # a safe loader
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         place = f"line {mark.line + 1}" if mark is not None else ""

@@ -18,13 +18,21 @@ from planar_planner.formats.parts import ImportOptions, Notes, Parts
 from planar_planner.formats.readers import geojson_features
 from planar_planner.formats.reading import angle, coordinate, text_of
 
-_ROLE = re.compile(r"(?:([a-z_]+)\s*:?\s*)?(?=[A-Z])(.*)", re.DOTALL)
+_READ = "POINT|POLYGON|MULTIPOLYGON|GEOMETRYCOLLECTION"
+_WITHOUT_AREA = ("LINESTRING", "MULTILINESTRING", "MULTIPOINT", "LINEARRING")
+_OTHERS = (
+    f"{'|'.join(_WITHOUT_AREA)}|TRIANGLE|TIN|POLYHEDRALSURFACE|CIRCULARSTRING|COMPOUNDCURVE|"
+    "CURVEPOLYGON|MULTICURVE|MULTISURFACE"
+)
+_WORD = rf"(?:SRID=\d+;\s*)?(?:{_READ}|{_OTHERS})(?:ZM|Z|M)?\b"
+_ROLE = re.compile(
+    rf"(?:([a-z_]+)(?:\s*:\s*|\s+))?(?={_WORD})(.*)", re.DOTALL | re.IGNORECASE | re.ASCII
+)
 _KIND = re.compile(
-    r"(?:SRID=\d+;)?\s*(POINT|POLYGON|MULTIPOLYGON|GEOMETRYCOLLECTION)\b\s*(ZM|Z|M)?\s*(.*)",
-    re.DOTALL,
+    rf"(?:SRID=\d+;)?\s*({_READ}|{_OTHERS})\s*(ZM|Z|M)?\b\s*(.*)",
+    re.DOTALL | re.IGNORECASE | re.ASCII,
 )
 _TOKEN = re.compile(r"[(),]|[^\s(),]+")
-_DEPTH = {"POLYGON": 2, "MULTIPOLYGON": 3}
 _NAMES = {"POLYGON": "Polygon", "MULTIPOLYGON": "MultiPolygon"}
 _STATES = 500  # most brackets inside each other; legal text needs at most four
 
@@ -45,8 +53,8 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
             raise SceneError(
                 "expected a role and a geometry such as POLYGON ((…))", place, cut(statement)
             )
-        role, geometry = match[1] or "obstacle", match[2]
-        for feature in _features(role, geometry, place):
+        role, geometry = (match[1] or "obstacle").lower(), match[2]
+        for feature in _features(role, geometry, place, notes):
             features.append(feature)
             places.append(place)
     try:
@@ -83,29 +91,34 @@ def _statements(text: str) -> Iterator[tuple[int, str]]:
         raise SceneError("a bracket is not closed", f"line {first}", cut(pending))
 
 
-def _features(role: str, text: str, place: str) -> Iterator[dict[str, Any]]:
+def _features(role: str, text: str, place: str, notes: Notes) -> Iterator[dict[str, Any]]:
     match = _KIND.fullmatch(text)
-    if match is None:
+    kind = "" if match is None else match[1].upper()
+    if role == "obstacle" and (kind in _WITHOUT_AREA or kind == "POINT"):
+        notes.pass_over(f"{kind} geometries left out, which have no area")
+        return
+    if match is None or kind not in _READ.split("|"):
         raise SceneError(
             "expected POINT, POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION", place, cut(text)
         )
-    kind, dimension, body = match[1], match[2] or "", match[3]
+    dimension, body = (match[2] or "").upper(), match[3]
+    if body.strip().upper() == "EMPTY" and role == "obstacle":
+        notes.pass_over("empty geometries left out")
+        return
     if kind == "GEOMETRYCOLLECTION":
         for part in _members(body, place):
-            yield from _features(role, part, place)
+            yield from _features(role, part, place, notes)
         return
     properties: dict[str, Any] = {"role": role}
     if kind == "POINT":
         numbers = body.strip().removeprefix("(").removesuffix(")").split()
-        if len(numbers) not in (2, 3):
+        if len(numbers) not in (2, 3) or (len(numbers) == 3 and "M" in dimension):
             raise SceneError("a POINT has x, y and, as Z, theta", place, cut(text))
         x, y = (coordinate(number, place) for number in numbers[:2])
         geometry: dict[str, Any] = {"type": "Point", "coordinates": [x, y]}
         properties["theta"] = angle(numbers[2], place) if len(numbers) == 3 else 0.0
     else:
-        if body.strip() == "EMPTY":
-            return
-        nested = _nested(body, place, len(dimension))
+        nested = _nested(body, place, len(dimension), notes)
         geometry = {"type": _NAMES[kind], "coordinates": nested}
     yield {"type": "Feature", "properties": properties, "geometry": geometry}
 
@@ -124,7 +137,7 @@ def _members(body: str, place: str) -> list[str]:
     return [*parts, inner[begin:-1].strip()]
 
 
-def _nested(body: str, place: str, extra: int) -> list[Any]:
+def _nested(body: str, place: str, extra: int, notes: Notes) -> list[Any]:
     """Return the brackets as nested lists, positions as [x, y]."""
     stack: list[list[Any]] = [[]]
     numbers: list[float] = []
@@ -148,6 +161,8 @@ def _nested(body: str, place: str, extra: int) -> list[Any]:
                 stack.pop()
                 if not stack:
                     raise SceneError("a bracket closes that was not opened", place)
+        elif token.upper() == "EMPTY":
+            notes.pass_over("empty geometries left out")
         else:
             numbers.append(coordinate(token, place))
     position()

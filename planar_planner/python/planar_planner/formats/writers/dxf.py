@@ -29,6 +29,7 @@ def write(parts: Parts, path: Path) -> Mapping[Path, bytes]:
         raise SceneError("a drawing cannot forbid turning", "rotation")
     ezdxf: Any = require("ezdxf", "writing DXF", "dxf")
     document = ezdxf.new("R2000", setup=False)
+    document.header["$INSUNITS"] = 0  # a scene's unit has no name
     space = document.modelspace()
 
     def draw(layer: str, ring: Ring) -> None:

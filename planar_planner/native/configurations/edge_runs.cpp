@@ -7,18 +7,17 @@
 
 namespace planner {
 
-Outline::Outline(const PolygonSet& set, const std::size_t index, const pdg::Frame& frame) {
-  for (std::size_t r = set.polygon_starts[index]; r < set.polygon_starts[index + 1]; ++r) {
+EdgeRuns::EdgeRuns(const Polygon& polygon, const pdg::Frame& frame) {
+  for (const pdg::Ring& ring : polygon.rings) {
     const std::size_t begin = points_.size();
-    for (std::size_t k = set.ring_starts[r]; k < set.ring_starts[r + 1]; ++k)
-      points_.push_back(pdg::to_frame(frame, set.points[k]));
+    for (const Vec2 p : ring) points_.push_back(pdg::to_frame(frame, p));
     const std::size_t end = points_.size();
     points_.push_back(points_[begin]);
     add_runs(begin, end);
   }
 }
 
-void Outline::add_runs(const std::size_t begin, const std::size_t end) {
+void EdgeRuns::add_runs(const std::size_t begin, const std::size_t end) {
   for (std::size_t first = begin; first < end; first += kEdgesPerRun) {
     Run run{
         {INFINITY, INFINITY}, {-INFINITY, -INFINITY}, first, std::min(first + kEdgesPerRun, end)};
@@ -31,7 +30,7 @@ void Outline::add_runs(const std::size_t begin, const std::size_t end) {
   }
 }
 
-bool Outline::contains(const Vec2 point) const {
+bool EdgeRuns::contains(const Vec2 point) const {
   bool inside = false;
   for (const Run& run : runs_) {
     if (point.y < run.low.y || point.y > run.high.y || point.x > run.high.x) continue;

@@ -1,4 +1,4 @@
-#include "pose.hpp"
+#include "scaled_configuration.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,20 +8,20 @@
 
 namespace planner {
 
-Pose pose_of(const Problem& problem, const Configuration& q) {
+ScaledConfiguration scaled(const ScaledProblem& problem, const Configuration& q) {
   return {to_planner(problem, {q.x, q.y}), q.theta};
 }
 
-Configuration configuration_of(const Problem& problem, const Pose& pose) {
-  Vec2 p = to_user(problem, pose.t);
+Configuration configuration_of(const ScaledProblem& problem, const ScaledConfiguration& q) {
+  Vec2 p = to_user(problem, q.t);
   if (problem.reference_bounds) {
     const Rectangle& r = *problem.reference_bounds;
     p = {std::clamp(p.x, r.low.x, r.high.x), std::clamp(p.y, r.low.y, r.high.y)};
   }
-  return {p.x, p.y, pose.theta};
+  return {p.x, p.y, q.theta};
 }
 
-std::array<std::uint64_t, 3> dyadic_point(const Problem& problem, const Configuration& q) {
+std::array<std::uint64_t, 3> dyadic_point(const ScaledProblem& problem, const Configuration& q) {
   const Domain& d = problem.domain;
   const Vec2 t = to_planner(problem, {q.x, q.y});
   const auto count = [](const double fraction) {

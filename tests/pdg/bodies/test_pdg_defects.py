@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 import shapely
 from numpy.typing import NDArray
-from pdg_shapes import blob
 
 import pdg
+from worlds.bodies.random_bodies import blob
 
 Ring = Sequence[tuple[float, float]]
 SQUARE = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]

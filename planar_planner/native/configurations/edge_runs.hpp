@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "pdg/native/geometry/convex_piece.hpp"
-#include "planar_planner/native/world/scene.hpp"
+#include "planar_planner/native/world/problem.hpp"
 
 namespace planner {
 
-class Outline {
+class EdgeRuns {
  public:
-  // Polygon `index` of the set, mapped into the frame.
-  Outline(const PolygonSet& set, std::size_t index, const pdg::Frame& frame);
+  // The polygon is mapped into the frame.
+  EdgeRuns(const Polygon& polygon, const pdg::Frame& frame);
 
-  // Is visit(p, q) true of any edge whose run's box meets [low, high]?
+  // Is visit(p, q) true for any edge whose run's box meets [low, high]?
   template <class Visit>
   [[nodiscard]] bool any_edge(const Vec2 low, const Vec2 high, const Visit& visit) const {
     for (const Run& run : runs_) {
@@ -27,9 +27,9 @@ class Outline {
     return false;
   }
 
-  [[nodiscard]] std::size_t runs() const { return runs_.size(); }
+  [[nodiscard]] std::size_t count() const { return runs_.size(); }
 
-  // By the parity of crossings to the right.
+  // Decided by the parity of the crossings of a ray to the right.
   [[nodiscard]] bool contains(Vec2 point) const;
 
  private:
