@@ -134,7 +134,7 @@ std::vector<Seen> walk_levels(World& world, const Query driver, const WalkLimits
 std::vector<Seen> walk_search(World& world, const Task& task, const WalkLimits& limits) {
   const planner::Limits query_limits;
   planner::SegmentTest segments(world.problem, world.labeller, world.statistics);
-  Subdivision subdivision(world.space, world.labeller, world.statistics);
+  Subdivision subdivision(world.space, world.labeller, world.statistics, planner::crossing_cost);
   planner::FaceTest faces(subdivision, world.labeller, world.statistics);
   planner::Query query(
       task.start, task.goal, nullptr, query_limits, [] { return 0.0; },

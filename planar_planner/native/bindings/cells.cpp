@@ -43,11 +43,11 @@ nb::dict cells(const planner::Planner& planner) {
   return table_dict(planner.cells());
 }
 
-nb::dict bottleneck(planner::Planner& planner) {
+nb::dict thinnest_wall(planner::Planner& planner) {
   planner::Crossing found;
   {
     const nb::gil_scoped_release release;
-    found = planner.bottleneck();
+    found = planner.thinnest_wall();
   }
   std::vector<std::array<double, 3>> way;
   way.reserve(found.way.size());

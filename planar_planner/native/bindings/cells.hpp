@@ -12,6 +12,6 @@ namespace bindings {
 nanobind::dict table_dict(const planner::CellTable& table);
 nanobind::dict cells(const planner::Planner& planner);
 // "way", "depth" and "deepest" of planner::Crossing.
-nanobind::dict bottleneck(planner::Planner& planner);
+nanobind::dict thinnest_wall(planner::Planner& planner);
 
 }  // namespace bindings

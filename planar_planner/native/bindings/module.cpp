@@ -245,7 +245,7 @@ NB_MODULE(_core, m) {
            nb::call_guard<nb::gil_scoped_release>())
       .def("evidence", &bindings::evidence)
       .def("cells", &bindings::cells)
-      .def("bottleneck", &bindings::bottleneck)
+      .def("thinnest_wall", &bindings::thinnest_wall)
       .def("wall", &bindings::wall, nb::arg("theta"));
   m.def("build_info", &bindings::build_info);
   bindings::add_outcome(m);

@@ -68,8 +68,13 @@ Touched touched_halves(const Halves& halves, const CellBox& neighbour, const Axi
 
 }  // namespace
 
-Subdivision::Subdivision(const CellSpace& space, Labeller& labeller, Statistics& statistics)
-    : space_(space), labeller_(labeller), statistics_(statistics), posed_(labeller.robot()) {
+Subdivision::Subdivision(const CellSpace& space, Labeller& labeller, Statistics& statistics,
+                         const CellCost cost)
+    : space_(space),
+      labeller_(labeller),
+      statistics_(statistics),
+      cost_(cost),
+      posed_(labeller.robot()) {
   ConstraintList root;
   labeller_.root_list(root);
   for (std::uint64_t i = 0; i < (std::uint64_t{1} << root_level()); ++i) {
@@ -231,7 +236,7 @@ Cell Subdivision::make_cell(const CellBox& box, const ConstraintView& parent) {
   cell.split_width = axis == kNoAxis ? 0.0F : static_cast<float>(widths[axis]);
   cell.size = static_cast<float>(relative);
   cell.cost = static_cast<float>(
-      crossing_cost(cell.label, relative, found.separation / radius, thinness(widths, radius)));
+      cost_({cell.label, relative, found.separation / radius, thinness(widths, radius)}));
   return cell;
 }
 

@@ -46,15 +46,25 @@ struct Cell {
   [[nodiscard]] bool solid() const { return label == Label::kFree || label == Label::kStar; }
 };
 
-// What crossing a leaf costs a channel: a guess of the work it takes to resolve it. `relative_size`
-// is its motion radius over the robot's reach, `separation` the labelling's hint over the motion
-// radius, `thinness` how often it was halved along single axes beyond its motion radius.
-double crossing_cost(Label label, double relative_size, double separation, double thinness);
+// What the cost of crossing a leaf is made of.
+struct CellFacts {
+  Label label;
+  double relative_size;  // motion radius over the robot's reach
+  double separation;     // the labelling's hint over the motion radius
+  double thinness;       // how often it was halved along single axes beyond its motion radius
+};
+
+// Whoever searches the cells says what crossing one costs (search/channel.hpp).
+using CellCost = double (*)(const CellFacts&);
+inline double no_cost(const CellFacts& /*cell*/) {
+  return 0.0;
+}
 
 class Subdivision {
  public:
   // All references must outlive the subdivision.
-  Subdivision(const CellSpace& space, Labeller& labeller, Statistics& statistics);
+  Subdivision(const CellSpace& space, Labeller& labeller, Statistics& statistics,
+              CellCost cost = no_cost);
 
   [[nodiscard]] const CellSpace& space() const { return space_; }
   // Number of leaves; ids are 0 .. size() - 1.
@@ -126,6 +136,7 @@ class Subdivision {
   CellSpace space_;
   Labeller& labeller_;
   Statistics& statistics_;
+  CellCost cost_;
   PosedRobot posed_;
   Scratch scratch_;
   std::vector<Cell> cells_;

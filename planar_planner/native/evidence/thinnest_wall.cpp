@@ -103,9 +103,9 @@ Crossing follow(const std::vector<Reached>& reached, CellId cell) {
 
 }  // namespace
 
-Crossing find_bottleneck(const ScaledProblem& problem, const Subdivision& s,
-                         const std::span<const CellId> start, const std::span<const CellId> goal,
-                         const DepthAt& depth_at) {
+Crossing find_thinnest_wall(const ScaledProblem& problem, const Subdivision& s,
+                            const std::span<const CellId> start, const std::span<const CellId> goal,
+                            const DepthAt& depth_at) {
   const Neighbours neighbours(s);
   const double radius = s.space().rotation ? length_to_user(problem, problem.robot.reach) : 0.0;
   const auto full = [&](const CellId id) { return s.cell(id).label == Label::kFull; };

@@ -14,10 +14,10 @@ namespace planner {
 // FULL or the face is proven blocked, and counts as free otherwise; goals in FULL leaves do not
 // count. The way is one whose deepest crossing is least and whose overlaps, of all such, sum up to
 // least; it goes by the middles of faces, theta unwrapped. Then it is sharpened about its deepest,
-// which is the bottleneck. Depths are sampled: this is an estimate, no bound. Empty if no sample
-// overlaps.
-Crossing find_bottleneck(const ScaledProblem& problem, const Subdivision& subdivision,
-                         std::span<const CellId> start, std::span<const CellId> goal,
-                         const DepthAt& depth_at);
+// which is the wall's thinnest place. Depths are sampled: this is an estimate, no bound. Empty if
+// no sample overlaps.
+Crossing find_thinnest_wall(const ScaledProblem& problem, const Subdivision& subdivision,
+                            std::span<const CellId> start, std::span<const CellId> goal,
+                            const DepthAt& depth_at);
 
 }  // namespace planner

@@ -8,35 +8,17 @@
 #include "planar_planner/native/cells/census.hpp"
 #include "planar_planner/native/guesses/goal_guesses.hpp"
 #include "planar_planner/native/guesses/rrt_connect.hpp"
+#include "planar_planner/native/search/channel.hpp"
 #include "planar_planner/native/search/goal_cells.hpp"
 #include "planar_planner/native/search/search.hpp"
 #include "planar_planner/native/world/disc.hpp"
+#include "tuning.hpp"
 
 namespace planner {
 
 namespace {
 
-// A try with a disc instead of the robot may cost no more cells than this.
-constexpr std::uint64_t kDiscCells = 4000;
-
-// Configurations that the first try by trees may ask about, some tenths of a millisecond, and as
-// many more for every obstacle, as the cells that it may spare grow with their number too; and work
-// that each may cost where robot and obstacles have many edges, in units of CollisionHint::work.
-constexpr std::uint64_t kProbeChecks = 2500;
-constexpr std::uint64_t kProbeChecksPerObstacle = 5;
-constexpr std::uint64_t kMostProbeChecks = 20'000;
-constexpr std::uint64_t kProbeWork = 2'000'000;
-constexpr std::uint64_t kProbeWorkPerObstacle = 8'000;
-constexpr std::uint64_t kMostProbeWork = 20'000'000;
-// How far apart they are at first, relative to the robot's reach, and after a path that could not
-// be certified; and how many paths are given a chance.
-constexpr double kProbeSpacing = 0.25;
-constexpr double kFinerSpacing = 0.7;
-constexpr int kProbePaths = 16;
-
-// A few configurations of each leg, the middle first: a certificate that must fail is not begun.
-constexpr std::array<double, 7> kGlances = {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};
-
+// Are a few configurations of a leg in collision? A certificate that must fail is not begun.
 bool looks_blocked(const ScaledProblem& problem, CollisionHint& hint,
                    const std::vector<Configuration>& path) {
   for (const double s : kGlances)
@@ -247,7 +229,7 @@ void Planner::prepare_subdivision(const Query& query) {
   const CellSpace space{problem_.domain, problem_.rotation, query.start.theta};
   if (subdivision_ && (space.rotation || subdivision_->space().fixed_theta == space.fixed_theta))
     return;
-  subdivision_ = std::make_unique<Subdivision>(space, *labeller_, statistics_);
+  subdivision_ = std::make_unique<Subdivision>(space, *labeller_, statistics_, crossing_cost);
   faces_ = std::make_unique<FaceTest>(*subdivision_, *labeller_, statistics_);
 }
 
@@ -355,13 +337,13 @@ double Planner::least_clearance() {
   return path_clearance(problem_, *tree_, last_.waypoints);
 }
 
-Crossing Planner::bottleneck() {
+Crossing Planner::thinnest_wall() {
   if (last_.verdict != Verdict::kNoPath) return {};
-  if (last_.decided_by == DecidedBy::kDisc) return disc_inside_->bottleneck();
+  if (last_.decided_by == DecidedBy::kDisc) return disc_inside_->thinnest_wall();
   if (last_.decided_by != DecidedBy::kSeparation) return {};
-  return find_bottleneck(problem_, *subdivision_, leaves_of(last_.start),
-                         leaves_of_goal(last_.goal),
-                         [this](const Configuration& q) { return placement(q).depth; });
+  return find_thinnest_wall(problem_, *subdivision_, leaves_of(last_.start),
+                            leaves_of_goal(last_.goal),
+                            [this](const Configuration& q) { return placement(q).depth; });
 }
 
 CellTable Planner::cells() const {

@@ -48,7 +48,7 @@ class Planner {
   double least_clearance();
   // The thinnest place of the last answer if that is a separation, of a disc's if a disc stood for
   // the robot; empty otherwise.
-  Crossing bottleneck();
+  Crossing thinnest_wall();
   // The leaves of the subdivision; none if no query has needed cells.
   [[nodiscard]] CellTable cells() const;
   // The disc that stood for the robot (ClaimKind::kDisc).

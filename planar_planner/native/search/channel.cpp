@@ -3,35 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tuning.hpp"
+
 namespace planner {
 
-namespace {
-
-// Crossing costs, by size = motion radius / robot reach. They steer the search and prove nothing.
-// The values were found by random search over mazes, fields, gears, gates and smaller scenes,
-// scored by labelled cells and expansions; two of them also decide whether a search ends:
-// - A strip of n = L / size MIXED cells along a contact costs L size^(p - 1). With p < 1 for small
-//   cells that grows while the strip is refined, so that it cannot outbid every other channel for
-//   ever.
-// - A cell that has been halved along one axis again and again without being decided will take more
-//   halving yet: its cost grows with its thinness.
-constexpr double kLargeExponent = 1.25;  // of sizes above 1: prefers what is already resolved
-constexpr double kSmallExponent = 0.5;   // of sizes below 1
-constexpr double kThinnessCost = 0.25;   // more for every halving of one axis beyond the others
-constexpr double kSolidCost = 0.005;     // FREE or STAR
-constexpr double kFreeCentreCost = 0.5;  // MIXED, free at the centre by the labelling's hint
-constexpr double kMixedCost = 1.0;       // MIXED, in contact at the centre ...
-constexpr double kDepthCost = 3.0;       // ... and more for every motion radius that it is in deep
-
-}  // namespace
-
-double crossing_cost(const Label label, const double relative_size, const double separation,
-                     const double thinness) {
+double crossing_cost(const CellFacts& cell) {
   const double size =
-      std::pow(relative_size, relative_size < 1.0 ? kSmallExponent : kLargeExponent);
-  if (label != Label::kMixed) return kSolidCost * size;
-  const double depth = separation > 0.0 ? kFreeCentreCost : kMixedCost - kDepthCost * separation;
-  return size * depth * (1.0 + kThinnessCost * thinness);
+      std::pow(cell.relative_size, cell.relative_size < 1.0 ? kSmallExponent : kLargeExponent);
+  if (cell.label != Label::kMixed) return kSolidCost * size;
+  const double depth =
+      cell.separation > 0.0 ? kFreeCentreCost : kMixedCost - kDepthCost * cell.separation;
+  return size * depth * (1.0 + kThinnessCost * cell.thinness);
 }
 
 std::size_t ChannelSearch::bytes() const {
@@ -132,7 +114,7 @@ bool ChannelSearch::find(std::vector<CellId>& channel) {
       continue;
     }
     if (meeting.cell == kNoCell) break;
-    if (from_start_.sound(meeting.cell) && from_goal_.sound(meeting.cell) &&
+    if (from_start_.mend_way_to(meeting.cell) && from_goal_.mend_way_to(meeting.cell) &&
         cost_through(meeting.cell) == meeting.cost)
       break;
   }

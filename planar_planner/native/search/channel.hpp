@@ -1,5 +1,5 @@
-// The cheapest channel of solid and MIXED cells from start to goal (design: "Search: refine only
-// what a channel needs"), kept up to date while cells are split.
+// The cheapest channel of solid and MIXED cells from start to goal (docs/method.md, "Search"), kept
+// up to date while cells are split.
 //
 // Two trees grow towards each other, from start and from goal, each about half the channel's cost
 // deep. A bottleneck lies where they meet, so refining it disturbs little of either.
@@ -14,6 +14,9 @@
 #include "planar_planner/native/statistics.hpp"
 
 namespace planner {
+
+// What crossing a leaf costs a channel: a guess of the work that it takes to resolve it.
+double crossing_cost(const CellFacts& cell);
 
 class ChannelSearch {
  public:
@@ -35,7 +38,7 @@ class ChannelSearch {
   // the leaves that hold the ends afterwards. A set of goals has been brought up to date.
   void before_split(CellId cell);
   void after_split(CellId lower, CellId upper, CellId start, CellId goal);
-  // Other changes of the graph, told after they happened.
+  // Other changes of the graph, after they happened.
   void on_exhausted(CellId cell);
   void on_disconnected(CellId a, CellId b);
   void on_doubtful(CellId a, CellId b);

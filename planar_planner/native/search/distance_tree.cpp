@@ -2,21 +2,9 @@
 
 #include <algorithm>
 
+#include "tuning.hpp"
+
 namespace planner {
-
-namespace {
-
-// An orphan keeps its distance if that undercuts its new way by at most this part of its own cost
-// ...
-constexpr float kSlackDown = 0.9F;
-// ... and a reached leaf is told of a shorter way if that saves more than this part of its own
-// cost.
-constexpr float kSlackUp = 0.6F;
-
-// More than any channel without exhausted cells and doubtful links can cost.
-constexpr float kBarrier = 1e15F;
-
-}  // namespace
 
 std::size_t DistanceTree::bytes() const {
   return nodes_.capacity() * sizeof(Node) + open_.bytes() + orphans_.bytes();
@@ -176,7 +164,7 @@ void DistanceTree::mend_next() {
   if (!settle_root(lost.cell)) offer(lost.cell);
 }
 
-bool DistanceTree::sound(const CellId cell) {
+bool DistanceTree::mend_way_to(const CellId cell) {
   while (reached(cell) && !orphans_.empty() && orphans_.top().key <= distance(cell)) mend_next();
   return reached(cell);
 }

@@ -24,6 +24,9 @@ namespace planner {
 // Costs guide the search and prove nothing: single precision is enough.
 inline constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
+// More than any channel without exhausted cells and doubtful links can cost.
+inline constexpr float kBarrier = 1e15F;
+
 // Links that could not be decided; passing one costs more than any channel without.
 using DoubtfulLinks = std::unordered_set<std::uint64_t>;
 
@@ -47,7 +50,7 @@ class DistanceTree {
   // date.
   void before_split(CellId cell);
   void after_split(CellId lower, CellId upper, CellId root);
-  // Other changes of the graph, told after they happened.
+  // Other changes of the graph, after they happened.
   void on_exhausted(CellId cell);
   void on_link_lost(CellId a, CellId b);
   void on_root_lost(CellId cell);
@@ -58,8 +61,8 @@ class DistanceTree {
   float next_key();
   void settle_next();
 
-  // Mends what the way to this leaf may hang on; false if the leaf is unreached now.
-  bool sound(CellId cell);
+  // Mends all that the leaf's distance may depend on. False if the leaf is unreached then.
+  bool mend_way_to(CellId cell);
   [[nodiscard]] bool reached(CellId cell) const { return nodes_[cell].distance < kUnreached; }
   [[nodiscard]] float distance(CellId cell) const { return nodes_[cell].distance; }
   [[nodiscard]] float cost(CellId cell) const { return nodes_[cell].cost; }

@@ -2,18 +2,9 @@
 
 #include <algorithm>
 
+#include "tuning.hpp"
+
 namespace planner {
-
-namespace {
-
-// Disappointments before small leaves are put aside for the first time; each time so many times as
-// many. Fewer: goals that are nearly found wait for others. Any values are sound.
-constexpr std::uint64_t kPatience = 256;
-constexpr std::uint64_t kPatienceGrowth = 2;
-// A leaf is small if it is so much smaller than the largest one that is wanted.
-constexpr float kSmall = 0.125F;
-
-}  // namespace
 
 std::vector<CellId> leaves_that_may_meet(const GoalRegion& region, const Subdivision& subdivision) {
   std::vector<CellId> out;
@@ -27,7 +18,7 @@ GoalCells::GoalCells(const GoalRegion& region, const Subdivision& subdivision)
       subdivision_(subdivision),
       wanted_(subdivision.size()),
       aside_(subdivision.size()),
-      patience_(kPatience) {
+      most_in_vain_(kVainGoals) {
   for (const CellId id : leaves_that_may_meet(region, subdivision)) wanted_[id] = true;
 }
 
@@ -54,20 +45,20 @@ void GoalCells::put_aside_if_small(const CellId cell) {
   aside_[cell] = true;
 }
 
-bool GoalCells::disappointed() {
-  if (++disappointments_ < patience_) return false;
-  disappointments_ = 0;
-  patience_ *= kPatienceGrowth;
+bool GoalCells::note_vain_goal() {
+  if (++in_vain_ < most_in_vain_) return false;
+  in_vain_ = 0;
+  most_in_vain_ *= kVainGoalsGrowth;
   float largest = 0.0F;
   for (CellId id = 0; id < wanted_.size(); ++id)
     if (wanted_[id]) largest = std::max(largest, subdivision_.cell(id).size);
-  least_ = std::max(least_, kSmall * largest);
+  least_ = std::max(least_, kSmallGoal * largest);
   due_ = 2 * subdivision_.size();
   for (CellId id = 0; id < wanted_.size(); ++id) put_aside_if_small(id);
   return true;
 }
 
-bool GoalCells::take_up() {
+bool GoalCells::take_back() {
   least_ = 0.0F;
   bool any = false;
   for (CellId id = 0; id < aside_.size(); ++id) {

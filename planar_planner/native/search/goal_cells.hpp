@@ -23,14 +23,14 @@ class GoalCells {
   void after_split(CellId lower, CellId upper);
   // No goal can be found in a leaf that cannot be split any further. It may hold one all the same.
   void give_up(CellId cell);
-  // Where only contact leads to a region, smaller and smaller leaves seem to hold a goal: after
-  // some such disappointments those much smaller than the largest are put aside, so that others
-  // have their turn. True if the wanted ones are fewer now.
-  bool disappointed();
+  // A wanted leaf held no free goal. Where only contact leads to a region, smaller and smaller
+  // leaves seem to hold one: after some in vain those much smaller than the largest are put aside,
+  // so that others have their turn. True if the wanted ones are fewer now.
+  bool note_vain_goal();
   // They are wanted again: once there are twice as many leaves, or nothing else is left.
   [[nodiscard]] bool due() const { return least_ > 0.0F && subdivision_.size() >= due_; }
   // True if the wanted ones are more now.
-  bool take_up();
+  bool take_back();
 
   [[nodiscard]] const GoalRegion& region() const { return region_; }
   // Those neither given up nor put aside.
@@ -49,8 +49,8 @@ class GoalCells {
   std::vector<CellId> given_up_;
   float least_ = 0.0F;  // smaller leaves are put aside; 0: none are
   std::size_t due_ = 0;
-  std::uint64_t disappointments_ = 0;
-  std::uint64_t patience_;  // how many are borne
+  std::uint64_t in_vain_ = 0;  // since leaves were last put aside
+  std::uint64_t most_in_vain_;
 };
 
 }  // namespace planner

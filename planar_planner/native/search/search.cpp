@@ -4,16 +4,9 @@
 #include <numeric>
 #include <utility>
 
+#include "tuning.hpp"
+
 namespace planner {
-
-namespace {
-
-// A round splits the channel's MIXED cells down to this fraction of the largest one's size.
-// Smaller: more cells in dead ends; larger: more rounds. Measured over the shipped families; any
-// value in (0, 1] is sound.
-constexpr float kBatch = 0.7F;
-
-}  // namespace
 
 Search::Search(const ScaledProblem& problem, ObstacleTree& tree, Subdivision& subdivision,
                FaceTest& faces, SegmentTest& segments, Statistics& statistics, Query& query)
@@ -52,7 +45,7 @@ void Search::run() {
   std::vector<CellId> channel;
   while (!stop()) {
     ++statistics_.search_rounds;
-    if (goals_ && goals_->due()) take_up_goals();
+    if (goals_ && goals_->due()) take_back_goals();
     bool connected = false;
     {
       const Stopwatch watch(query_.clock, statistics_.seconds.search);
@@ -61,7 +54,7 @@ void Search::run() {
     }
     if (!connected && !goal_connected())
       return query_.decide(Verdict::kNoPath, DecidedBy::kSeparation);
-    if (!connected && take_up_goals()) continue;
+    if (!connected && take_back_goals()) continue;
     if (!connected && goals_ && goals_->only_given_up(channels_.start()))
       return query_.leave_undecided(StopReason::kResolution);
     if (!connected) {
@@ -74,7 +67,7 @@ void Search::run() {
       // Mended distances are not exact: only a search from scratch can say that every channel does.
       channels_.rebuild();
       channels_.find(channel);
-      if (channels_.passes_barrier(channel) && take_up_goals()) continue;
+      if (channels_.passes_barrier(channel) && take_back_goals()) continue;
       if (channels_.passes_barrier(channel)) return query_.leave_undecided(StopReason::kResolution);
     }
     statistics_.channel_length = channel.size();
@@ -222,19 +215,19 @@ bool Search::pick_goal(const CellId cell) {
 }
 
 // The halves of a solid cell may tell whether it holds a free goal.
-void Search::lose_goal(GoalCells& goals, const CellId cell) {
+void Search::drop_goal(GoalCells& goals, const CellId cell) {
   if (subdivision_.divisible(cell, query_.limits.resolution)) {
     split(cell);
   } else {
     goals.give_up(cell);
     channels_.on_goal_lost(cell);
   }
-  if (goals.disappointed()) channels_.rebuild();
+  if (goals.note_vain_goal()) channels_.rebuild();
 }
 
 // True if there are more goals to search for now.
-bool Search::take_up_goals() {
-  if (!goals_ || !goals_->take_up()) return false;
+bool Search::take_back_goals() {
+  if (!goals_ || !goals_->take_back()) return false;
   channels_.rebuild();
   return true;
 }
@@ -243,7 +236,7 @@ bool Search::take_up_goals() {
 bool Search::finish(const std::vector<CellId>& channel) {
   if (GoalCells* const goals = goals_ ? &*goals_ : nullptr;
       goals != nullptr && !pick_goal(channel.back())) {
-    lose_goal(*goals, channel.back());
+    drop_goal(*goals, channel.back());
     return false;
   }
   const Stopwatch watch(query_.clock, statistics_.seconds.path);

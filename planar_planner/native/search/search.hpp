@@ -31,8 +31,8 @@ class Search {
   void begin_search();
   [[nodiscard]] bool goal_connected() const;
   bool pick_goal(CellId cell);
-  void lose_goal(GoalCells& goals, CellId cell);
-  bool take_up_goals();
+  void drop_goal(GoalCells& goals, CellId cell);
+  bool take_back_goals();
   [[nodiscard]] bool solid(const std::vector<CellId>& channel) const;
   [[nodiscard]] std::vector<CellId> all_cells() const;
   bool split_mixed(const std::vector<CellId>& channel);

@@ -39,7 +39,8 @@ struct Searched {
   worlds::World world{room()};
   planner::Limits limits;
   planner::SegmentTest segments{world.problem, world.labeller, world.statistics};
-  planner::Subdivision subdivision{world.space, world.labeller, world.statistics};
+  planner::Subdivision subdivision{world.space, world.labeller, world.statistics,
+                                   planner::crossing_cost};
   planner::FaceTest faces{subdivision, world.labeller, world.statistics};
   int looks = 0;
   planner::Query query;

@@ -13,14 +13,13 @@ namespace {
 using planner::CellId;
 using planner::DistanceTree;
 using planner::DoubtfulLinks;
+using planner::kBarrier;
 using planner::kNoCell;
 using planner::kUnreached;
 using planner::Label;
 using planner::Subdivision;
 using worlds::Random;
 using worlds::World;
-
-constexpr double kBarrier = 1e15;
 
 std::vector<CellId> open_leaves(const Subdivision& subdivision) {
   std::vector<CellId> out;
@@ -128,7 +127,7 @@ TEST(PlannerSearch, TreeReachesWhatASearchFromScratchReaches) {
     Random random(seed);
     const std::vector<worlds::Recipe> recipes = worlds::recipes();
     World world(worlds::random_scene(random, recipes[seed % recipes.size()]));
-    Subdivision subdivision(world.space, world.labeller, world.statistics);
+    Subdivision subdivision(world.space, world.labeller, world.statistics, planner::crossing_cost);
     DoubtfulLinks doubtful;
     DistanceTree tree(subdivision, doubtful, world.statistics);
     const auto home = random_point(random);
@@ -155,7 +154,7 @@ TEST(PlannerSearch, TreeReachesWhatASearchFromScratchReaches) {
       if (!whole) {  // only what is asked for is mended: here one leaf's way to the root
         const CellId asked =
             static_cast<CellId>(worlds::pick(random, 0, static_cast<int>(subdivision.size()) - 1));
-        if (tree.sound(asked)) {
+        if (tree.mend_way_to(asked)) {
           ASSERT_NO_FATAL_FAILURE(expect_way_holds(subdivision, tree, asked)) << "round " << round;
         }
         continue;
@@ -185,7 +184,7 @@ TEST(PlannerSearch, ChannelExistsExactlyWhenTheGraphIsConnected) {
     Random random(1000 + seed);
     const std::vector<worlds::Recipe> recipes = worlds::recipes();
     World world(worlds::random_scene(random, recipes[seed % recipes.size()]));
-    Subdivision subdivision(world.space, world.labeller, world.statistics);
+    Subdivision subdivision(world.space, world.labeller, world.statistics, planner::crossing_cost);
     planner::ChannelSearch search(subdivision, world.statistics);
     DoubtfulLinks doubtful;
     const auto start = random_point(random);
@@ -238,7 +237,7 @@ TEST(PlannerSearch, NeighbourListsAreThePairsOfTouchingLeaves) {
     worlds::Recipe recipe = recipes[seed % recipes.size()];
     recipe.rotation = seed < 12;
     World world(worlds::random_scene(random, recipe), 0.3);
-    Subdivision subdivision(world.space, world.labeller, world.statistics);
+    Subdivision subdivision(world.space, world.labeller, world.statistics, planner::crossing_cost);
     for (int round = 0; round < 80; ++round) {
       const std::vector<CellId> leaves = open_leaves(subdivision);
       if (leaves.empty()) break;

@@ -165,7 +165,7 @@ class Planner:
             If a query of this planner is being answered.
         """
         with self._idle():
-            return None if self._core is None else make_bottleneck(self._core.bottleneck())
+            return None if self._core is None else make_bottleneck(self._core.thinnest_wall())
 
     def wall(self) -> Cells | None:
         """Return the FULL cells and faces that separate the last query's start from its goal.

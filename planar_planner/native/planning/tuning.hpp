@@ -1,0 +1,37 @@
+// Heuristic constants of this folder, with how each was found. They steer work; whatever their
+// values, answers hold.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace planner {
+
+// A try with a disc instead of the robot may cost no more cells than this. Chosen; no
+// measurement is on record.
+inline constexpr std::uint64_t kDiscCells = 4000;
+
+// Configurations that the first try by trees may ask about, some tenths of a millisecond, and as
+// many more for every obstacle, as the cells that it may spare grow with their number too; and work
+// that each may cost where robot and obstacles have many edges, in units of CollisionHint::work.
+// What the first try costs and spares with these is measured in docs/method.md ("Alternatives,
+// and why not"); the single values were chosen.
+inline constexpr std::uint64_t kProbeChecks = 2500;
+inline constexpr std::uint64_t kProbeChecksPerObstacle = 5;
+inline constexpr std::uint64_t kMostProbeChecks = 20'000;
+inline constexpr std::uint64_t kProbeWork = 2'000'000;
+inline constexpr std::uint64_t kProbeWorkPerObstacle = 8'000;
+inline constexpr std::uint64_t kMostProbeWork = 20'000'000;
+
+// How far the tries' configurations are apart at first, relative to the robot's reach; by what
+// factor they come nearer after a path that could not be certified; and how many paths are tried.
+// Chosen; no measurement is on record.
+inline constexpr double kProbeSpacing = 0.25;
+inline constexpr double kFinerSpacing = 0.7;
+inline constexpr int kProbePaths = 16;
+
+// Configurations of each leg that are looked at, the middle first, before a certificate of it is
+// begun: one that must fail costs more than these looks. Chosen: the eighths.
+inline constexpr std::array<double, 7> kGlances = {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};
+
+}  // namespace planner

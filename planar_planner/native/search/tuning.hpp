@@ -1,0 +1,45 @@
+// Heuristic constants of this folder, with how each was found. They steer the search; whatever
+// their values, answers hold.
+#pragma once
+
+#include <cstdint>
+
+namespace planner {
+
+// Crossing costs, by size = motion radius / robot reach (channel.cpp).
+// The values were found by random search over mazes, fields, gears, gates and smaller scenes,
+// scored by labelled cells and expansions; two of them also decide whether a search ends:
+// - A strip of n = L / size MIXED cells along a contact costs L size^(p - 1). With p < 1 for small
+//   cells that grows while the strip is refined, so that it cannot outbid every other channel for
+//   ever.
+// - A cell that has been halved along one axis again and again without being decided will take more
+//   halving yet: its cost grows with its thinness.
+inline constexpr double kLargeExponent = 1.25;  // of sizes above 1: prefers what is resolved
+inline constexpr double kSmallExponent = 0.5;   // of sizes below 1
+inline constexpr double kThinnessCost = 0.25;   // more for every halving of one axis beyond others
+inline constexpr double kSolidCost = 0.005;     // FREE or STAR
+inline constexpr double kFreeCentreCost = 0.5;  // MIXED, free at the centre by the labels' hint
+inline constexpr double kMixedCost = 1.0;       // MIXED, in contact at the centre ...
+inline constexpr double kDepthCost = 3.0;       // ... and more for every motion radius of depth
+
+// An orphan keeps its distance if that undercuts its new way by at most this part of its own cost,
+// and a reached leaf takes a shorter way if that saves more than this part of its own cost. Larger:
+// less mending, worse channels; what is reachable is exact with any. Both were measured twice, on
+// the search as it was then; the figures were not kept.
+inline constexpr float kSlackDown = 0.9F;
+inline constexpr float kSlackUp = 0.6F;
+
+// A round splits the channel's MIXED cells down to this fraction of the largest one's size.
+// Smaller: more cells in dead ends; larger: more rounds. Measured over the shipped families; any
+// value in (0, 1] is sound.
+inline constexpr float kBatch = 0.7F;
+
+// Goal cells that turn out to hold no free goal before small leaves are put aside for the first
+// time; each time so many times as many. Fewer: goals that are nearly found wait for others.
+// Chosen; no measurement is on record. Any values are sound.
+inline constexpr std::uint64_t kVainGoals = 256;
+inline constexpr std::uint64_t kVainGoalsGrowth = 2;
+// A leaf is small if it is so much smaller than the largest one that is wanted. Chosen, too.
+inline constexpr float kSmallGoal = 0.125F;
+
+}  // namespace planner
