@@ -17,8 +17,8 @@ pdg::Polygon square(const double x, const double y, const double half) {
 }
 
 // A unit square, an obstacle between start and goal, and a box about them.
-planner::Scene room() {
-  planner::Scene scene;
+planner::Problem room() {
+  planner::Problem scene;
   scene.robot.append(square(0, 0, 0.5));
   scene.obstacles.append(square(5, 5, 1.0));
   scene.box = planner::Rectangle{{0, 0}, {10, 10}};
