@@ -49,7 +49,6 @@ bool scalar(World& world, const pdg::Motion& motion, planner::PosedRobot& posed,
 }
 
 bool per_normal(World& world, const pdg::Motion& motion, planner::PosedRobot& posed) {
-  const planner::Robot& robot = world.problem.robot;
   for (const planner::Witness& pair : world.near) {
     const pdg::PosedPiece a = posed.piece(pair.robot);
     const pdg::ConvexPiece& b = world.tree.piece(pair.obstacle);
@@ -79,7 +78,7 @@ bool obstructed_by_single(World& world, const pdg::Motion& motion, planner::Pose
 
 }  // namespace
 
-World::World(planner::Problem scene, const planner::Ablation& parts, const double fixed_theta)
+World::World(planner::Problem scene, const planner::Ablation& ablation, const double fixed_theta)
     : problem(planner::make_scaled_problem(std::move(scene), ablation)),
       tree(all_obstacles(problem), problem.frame, problem.walls, ablation.partition),
       labeller(problem.robot, tree, statistics, ablation),

@@ -25,7 +25,7 @@ inline constexpr std::array<const char*, kQueries> kQueryNames{
 
 // The planner's parts, put together by hand.
 struct World {
-  World(planner::Problem scene, const planner::Ablation& parts, double fixed_theta);
+  World(planner::Problem scene, const planner::Ablation& ablation, double fixed_theta);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
