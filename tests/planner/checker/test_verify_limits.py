@@ -77,7 +77,7 @@ def test_the_timeout_holds(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert certificate is not None
     file = tmp_path / "many.json"
     file.write_text(json.dumps({**certificate, "start_side": boxes}))
-    assert main(["verify", "slot-jammed", str(file), "--timeout", "0.3", "--json", "-"]) == 3
+    assert main(["verify", "slot-jammed", str(file), "--timeout", "1e-3", "--json", "-"]) == 3
     assert json.loads(capsys.readouterr().out)["finding"] == "undecided"
     assert main(["verify", "slot-jammed", str(file), "--timeout", "0"]) == 2
 

@@ -12,7 +12,7 @@ import shapely
 from planar_planner import Scene, SceneError, load_scene, solve
 from planar_planner.formats.parts import ImportOptions
 
-FAULTS = Path(__file__).parents[2] / "worlds" / "faults" / "dxf"
+FAULTS = Path(__file__).parents[3] / "worlds" / "faults" / "dxf"
 POINT = "[[-0.01,-0.01],[0.01,-0.01],[0.01,0.01],[-0.01,0.01]]"
 
 

@@ -10,7 +10,7 @@ import shapely
 from planar_planner import Scene, SceneError, load_scene, solve
 from planar_planner.formats.parts import ImportOptions
 
-FAULTS = Path(__file__).parents[2] / "worlds" / "faults" / "svg"
+FAULTS = Path(__file__).parents[3] / "worlds" / "faults" / "svg"
 POINT = "[[-0.01,-0.01],[0.01,-0.01],[0.01,0.01],[-0.01,0.01]]"
 
 
