@@ -1,6 +1,6 @@
 """Ours against OMPL's planners: ``python bench/ompl_compare.py [SCENE ...]``.
 
-All shipped scenes, and any files named: scenes or outside formats (docs/formats.md), with options
+All shipped scenes, and any files named: scenes or other formats (docs/formats.md), with options
 for what those leave open. OMPL runs from its Python wheel, with our compiled
 state check called through Python, and natively (``ompl_native/``, where OMPL's development package
 is installed), each run in a process with a seed of its own, at two resolutions of motion

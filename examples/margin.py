@@ -12,7 +12,7 @@ from planar_planner import margin
 found = margin("slot", width=1e-3)  # in the scene's unit of length
 print(f"a path remains for the robot grown by {found.lower:.4f}, none for {found.upper:.4f}")
 
-place = found.bottleneck
+place = found.narrow_place
 assert place is not None  # there is one where the way binds
 obstacles = sorted({contact.obstacle for contact in place.contacts})
 print(f"it is bound by the {found.binding}, between obstacles {obstacles}")

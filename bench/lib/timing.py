@@ -41,7 +41,7 @@ class Measured:
     Attributes
     ----------
     result : Result
-        Of the last repetition; verdict and counts are the same in all.
+        The result of the last repetition; verdict and counts are the same in all.
     core : Spread
         Seconds in the core: preprocessing and search, without reading and checking the file.
     whole : Spread

@@ -153,7 +153,7 @@ double seconds(const Clock::time_point begin, const Clock::time_point end) {
   return std::chrono::duration<double>(end - begin).count();
 }
 
-// Of one check on random states of the bounds, in nanoseconds.
+// The cost of one check on random states of the bounds, in nanoseconds.
 double cost_of_check(StateCheck& check, const States& states) {
   constexpr int count = 20000;
   std::mt19937_64 random(1);

@@ -100,7 +100,7 @@ def test_types_in_the_reference_are_in_the_reference() -> None:
 
 
 class Hidden:
-    """Of this module, which is not one of ours: made one below."""
+    """A class of this module, which is not one of ours; a test makes it one."""
 
 
 def test_a_hidden_type_would_be_found(monkeypatch: pytest.MonkeyPatch) -> None:

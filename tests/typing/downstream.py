@@ -95,7 +95,7 @@ def room_to_spare(scene: str) -> list[NearestPoints]:
     """Return what is nearest where the robot has least room."""
     found = margin(scene, by="offset", width=0.01)
     assert_type(found, Margin)
-    place = found.bottleneck
+    place = found.narrow_place
     assert_type(place, NarrowPlace | None)
     return [] if place is None else list(place.contacts)
 

@@ -25,7 +25,7 @@ COUNTED_CELLS = 70_000  # at most, of a run under valgrind, which is fifty times
 
 @dataclass(frozen=True)
 class Cost:
-    """Of one query on one cell; `instructions` is None where nothing counts them."""
+    """The cost of one query on one cell; `instructions` is None where nothing counts them."""
 
     ns: Spread
     evaluations: float
@@ -42,11 +42,11 @@ class Culling:
         The cells: ``search`` are those that our planner meets, inner ones included; ``octree
         QUERY`` are split level by level unless that query identifies them.
     cells, obstacle, undecided : int
-        All of them; those proven to lie in C-obstacle by refining them; those not decided so.
+        All of them; those proven to lie in the C-obstacle by refining them; those not decided so.
     culled : mapping
         How many of `obstacle` each query identifies.
     costs : mapping
-        Of each query on all cells of the walk.
+        The cost of each query on all cells of the walk.
     misses : mapping
         Why ``per_normal`` misses, of a sample: the covering pair was not opened yet, its ranges are
         too wide, several pairs are needed, or unclear.

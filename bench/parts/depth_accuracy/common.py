@@ -21,7 +21,7 @@ class Row(NamedTuple):
     quantity : str
         ``PD^t``, ``PD^g`` or ``DISP, D_g``.
     case, method : str
-        Of the bodies; of the computation.
+        Names of the case of bodies and of the method of computation.
     error : float
         Relative to the true value; the median over the bodies.
     largest : float

@@ -18,7 +18,7 @@ from worlds.bodies.paper_models import Model
 BUDGET = 1.0  # seconds of repetitions for each figure
 FEWEST, MOST = 5, 2000
 TOLERANCE = 1e-3  # of the bracket, relative
-# Of bodies of size 10 in plain doubles (length): `lo` is rounded down by some 3e-14, `lb` is not.
+# Rounding of bodies of size 10 in plain doubles (length): `lo` is rounded down, `lb` is not.
 ROUNDING = 1e-12
 ORDER = ("lb", "lo", "hi", "best", "ub1", "ub2")
 

@@ -19,13 +19,13 @@ class TableRow(NamedTuple):
     situation, set : str
         Row and half of the table; ``W`` or ``W^a``.
     dimension, published_dimension : int
-        Of the space that the set spans.
+        Dimensions of the space that the set spans.
     lower, upper : float
         Our bracket of d_Q.
     formula : float or None
         d_Q in closed form.
     milliseconds : float
-        Of the processor, the least of some repetitions.
+        Processor time, the least of some repetitions.
     """
 
     situation: str

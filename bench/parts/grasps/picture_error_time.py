@@ -22,7 +22,7 @@ class Row(NamedTuple):
     contacts, grasps : int
         How many of each.
     error, largest : float
-        Of d_Q, relative; median and largest.
+        Relative errors of d_Q: median and largest.
     milliseconds, lower, upper : float
         For one grasp: median and quartiles of the processor's time.
     """

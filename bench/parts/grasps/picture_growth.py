@@ -24,7 +24,7 @@ class Growth(NamedTuple):
     lower, upper : ndarray of shape (K + 1,)
         d_k and the least h_A/h_Q seen, after k iterations.
     facets : ndarray of shape (K + 1,)
-        Of the polytope.
+        Numbers of facets of the polytope.
     counts, seconds : ndarray of shape (n,)
         Least processor seconds of runs that stop after so many iterations.
     exponent : float

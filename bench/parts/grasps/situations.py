@@ -44,7 +44,7 @@ class Situation:
     locked : bool
         Whether joint 1 of each is locked.
     pose : HandPose
-        Of the palm.
+        Pose of the palm.
     slides : bool
         Whether index and ring finger move along their faces, so that their bending axes stay
         parallel to these.

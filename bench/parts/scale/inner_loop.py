@@ -15,7 +15,7 @@ QUERY = "per_normal"  # labelling as the planner does it, without star and joint
 
 @dataclass(frozen=True)
 class InnerLoop:
-    """Of labelling all cells of a search; `instructions` are of one evaluation."""
+    """The cost of labelling all cells of a search; `instructions` are those of one evaluation."""
 
     scene: str
     cells: int

@@ -114,6 +114,8 @@ void bind_validity(nb::module_& m) {
 }  // namespace pdg::python
 
 NB_MODULE(_core, m) {  // NOLINT(bugprone-signed-bitwise): inside the macro
+  // An object that the interpreter still holds when it ends is no fault worth a message.
+  nanobind::set_leak_warnings(false);
   m.attr("MIN_COORDINATE") = pdg::kMinCoordinate;
   m.attr("MAX_COORDINATE") = pdg::kMaxCoordinate;
   pdg::python::bind_piece_set(m);

@@ -23,7 +23,7 @@ Item = TypeVar("Item")
 Triple = tuple[float, float, float]
 
 LEAST_VERTICES = 3
-"""Of a ring."""
+"""A ring has at least so many."""
 
 HERE: Triple = (0.0, 0.0, 0.0)
 """The configuration of a body that stays as it is."""

@@ -215,7 +215,9 @@ nb::dict check_path(planner::Planner& planner, const Path& path) {
 }  // namespace
 
 NB_MODULE(_core, m) {
-  m.doc() = "Native core of planar_planner; see planar_planner.planner for the public interface.";
+  // An object that the interpreter still holds when it ends is no fault worth a message.
+  nanobind::set_leak_warnings(false);
+  m.doc() = "Native core of planar_planner; see planar_planner for the public interface.";
   bindings::add_evidence(m);
   nb::class_<planner::Planner>(m, "Core")
       .def(

@@ -7,7 +7,7 @@ u = 2**-53 is the unit roundoff. No proof rests on any of these.
 from __future__ import annotations
 
 JOIN_REACH = 1e-6
-"""Of a drawing's larger extent: ends of its lines and arcs no farther apart than this are joined.
+"""A part of a drawing's larger extent: ends of its lines and arcs no farther apart are joined.
 
 CAD programs write the ends of arcs as centres, radii and angles, often to six decimal places, so
 ends that meet in the drawing differ in the file by a unit of the sixth place: half for each end."""
@@ -25,8 +25,8 @@ SHORTEST_LIMIT = 1e-9
 the clock and the next; the core gives up at its first look then."""
 
 LAST_STEP = 1e-5
-"""Of a climb to a bottleneck, relative to the robot's reach. The place is an estimate, printed to
-six digits: finer steps would show nothing."""
+"""The last step of a climb to a bottleneck, relative to the robot's reach. The place is an
+estimate, printed to six digits: finer steps would show nothing."""
 
 BOUNDS_SLACK = 1.0 + 2.0**-20
 """Factor on the robot's radius when the unbounded plane is given bounds; it covers the rounding of

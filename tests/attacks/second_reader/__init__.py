@@ -1,1 +1,1 @@
-"""A second, independent reader of every outside format, held against the planner's importers."""
+"""A second, independent reader of every imported format, held against the planner's importers."""

@@ -27,7 +27,7 @@ class Drawing:
     files : mapping of str to bytes
         All files, by their names in one folder.
     options : mapping
-        Of the import: ``unknown``, ``roles``, ``tolerance`` and so on.
+        Options of the import: ``unknown``, ``roles``, ``tolerance`` and so on.
     must_say : str
         Regular expression that a note must match if the file is read; empty if none must.
     told : str

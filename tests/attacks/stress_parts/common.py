@@ -62,7 +62,7 @@ class Settings:
     quick : bool
         A sample of the work, for every change; otherwise all of it.
     seed : int
-        Of everything random; the same seed gives the same scenes.
+        Seed of everything random; the same seed gives the same scenes.
     most : int
         Upper limit of the number of cases in each row, for tests of the harness itself.
     processes : int

@@ -18,7 +18,7 @@ from worlds.bodies.random_bodies import blob, convex
 
 Pose = tuple[float, float, float]
 SAMPLES = 21
-# Of bodies of size 10 in plain doubles (length): a bracket's ends are rounded outwards, by 3e-14.
+# Rounding of bodies of size 10 in plain doubles (length): brackets are rounded outwards by 3e-14.
 ROUNDING = 1e-12
 # Area of overlap that shapely may report of bodies of size 10 that only touch: 1e-14 of their own.
 OVERLAP = 1e-12

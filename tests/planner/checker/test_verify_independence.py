@@ -34,6 +34,8 @@ PLANNERS = ("pdg", "planar_planner._core", "planar_planner.planning", "planar_pl
 
 def source_of(module: str) -> Path | None:
     """Return the file of a module of ours; None if there is none of that name."""
+    if module.split(".", maxsplit=1)[0] not in ("planar_planner", "pdg"):
+        return None  # libraries may be installed beside
     place = PACKAGE.parent.joinpath(*module.split("."))
     files = (place.with_suffix(".py"), place / "__init__.py")
     return next((file for file in files if file.is_file()), None)

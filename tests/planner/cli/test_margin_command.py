@@ -58,13 +58,13 @@ def test_json_and_picture(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
     assert len(capsys.readouterr().out.splitlines()) == 1
     content = json.loads(told.read_text())
     assert content["lower"] < content["upper"] < content["lower"] + content["width"]
-    assert {contact["obstacle"] for contact in content["bottleneck"]["contacts"]} == {0, -1}
+    assert {contact["obstacle"] for contact in content["narrow_place"]["contacts"]} == {0, -1}
     assert drawn.read_bytes().startswith(b"\x89PNG")
 
 
 def test_the_picture_shows_the_bottleneck_close_up() -> None:
     found = margin("corner")
-    place = found.bottleneck
+    place = found.narrow_place
     assert place is not None
     whole, close = draw_margin(load_scene("corner"), found).axes
     x, y, _ = place.configuration

@@ -76,7 +76,7 @@ def test_the_bottleneck_has_the_clearance_of_the_margin(
     case: tuple[dict[str, Any], Margin],
 ) -> None:
     _, found = case
-    place = found.bottleneck
+    place = found.narrow_place
     if place is None or found.lower < 0.0 or not found.decided:
         pytest.skip("no bottleneck of a grown robot")
     assert place.clearance >= found.lower - SLACK

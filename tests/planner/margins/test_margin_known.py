@@ -103,7 +103,7 @@ def test_scaling_about_the_centroid() -> None:
 
 def test_the_bottleneck_is_in_the_slit() -> None:
     found = margin(_slit(0.5, 0.3), width=1e-3)
-    place = found.bottleneck
+    place = found.narrow_place
     assert place is not None
     assert abs(place.configuration[0]) < 1.2
     assert place.configuration[1] == pytest.approx(0.0, abs=1e-3)

@@ -59,7 +59,7 @@ def slot(
 
 
 def least_width(ring: tuple[Point, ...]) -> float:
-    """Of a convex polygon, counter-clockwise."""
+    """Return the least width of a convex polygon, counter-clockwise."""
     widths = []
     for (x0, y0), (x1, y1) in itertools.pairwise([*ring, ring[0]]):
         dx, dy = x1 - x0, y1 - y0

@@ -1,1 +1,1 @@
-"""Files in outside formats, written here: what the readers' tests and the fuzzing begin with."""
+"""Files in other formats, written here: what the readers' tests and the fuzzing begin with."""

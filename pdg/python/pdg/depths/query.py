@@ -19,7 +19,7 @@ QueryMethod = Literal["per-normal", "displacement", "published"]
 """Which sufficient test `c_obstacle_query` makes."""
 
 CellVerdict = Literal["full", "undecided"]
-"""What `c_obstacle_query` says of a cell: proven to lie in C-obstacle space, or nothing."""
+"""What `c_obstacle_query` says of a cell: proven to lie in the C-obstacle, or nothing."""
 
 # In the order of the core's QueryMethod.
 _METHODS: tuple[QueryMethod, ...] = ("published", "displacement", "per-normal")
@@ -48,7 +48,7 @@ class CObstacleVerdict:
 
     @property
     def full(self) -> bool:
-        """Whether the cell is proven to lie in C-obstacle space."""
+        """Whether the cell is proven to lie in the C-obstacle."""
         return self.verdict == "full"
 
 
@@ -70,7 +70,7 @@ class CObstacleVerdicts(Batch[CObstacleVerdict]):
 
     @property
     def full(self) -> NDArray[np.bool_]:
-        """Whether each cell is proven to lie in C-obstacle space."""
+        """Whether each cell is proven to lie in the C-obstacle."""
         full: NDArray[np.bool_] = self.verdict == "full"
         return full
 

@@ -146,7 +146,7 @@ class DepthUpperBounds(Batch[DepthUpperBound]):
     ----------
     upper, distance_upper : ndarray, shape (n,)
     placement, distance_placement : FreePlacements
-        Of n rows each.
+        Placements of n rows each.
     angles : ndarray of int, shape (n,)
     """
 

@@ -62,7 +62,7 @@ class ForceEfficiency:
     direction : ndarray of shape (D,)
         Unit wrench direction u whose h(u)/h_Q(u) is `upper`: where the grasp is weakest.
     dimension : int
-        Of the space in which d_Q was taken, that of `WrenchSet.basis`.
+        Dimension of the space in which d_Q was taken, that of `WrenchSet.basis`.
     distance : PenetrationDistance
         All that the algorithm says, in coordinates of that basis.
     """
@@ -84,7 +84,7 @@ def force_closure(wrenches: WrenchSet, timeout: float | None = None) -> ForceClo
     Parameters
     ----------
     wrenches : WrenchSet
-        Of either norm; the answer is the same.
+        The set of either norm; the answer is the same.
     timeout : float, optional
         Seconds. By default there is no limit.
 

@@ -144,8 +144,8 @@ def finger(
         C: joint rates are C times a independent rates; a column (…, 1, 1)ᵀ couples two joints one
         to one. By default every joint is independent.
     modes : sequence of {"active", "locked", "free"}, optional
-        Of each independent rate: driven by a motor, held, or moved by nothing (its torque is
-        zero: an under-actuated finger). By default all are active.
+        Mode of each independent rate: driven by a motor, held, or moved by nothing (its torque
+        is zero: an under-actuated finger). By default all are active.
 
     Returns
     -------

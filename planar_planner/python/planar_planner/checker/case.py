@@ -56,7 +56,7 @@ class Case:
     robot, obstacles : dict of Polygon
         By number.
     walls : dict of Edge
-        Of the workspace, by name; empty if there is none.
+        Edges of the workspace, by name; empty if there is none.
     bounds : dict of Edge
         The same of the reference point's bounds.
     turning : bool

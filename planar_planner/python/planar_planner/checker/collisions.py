@@ -21,9 +21,9 @@ from planar_planner.checker.pieces import Edge, Sinusoid
 from planar_planner.checker.records import Collision, EdgeName, Joint, PairName, PairTerm, WallTerm
 
 MOST_CHOICES = 1024
-"""Of separating edges in one joint claim."""
+"""Most choices of separating edges in one joint claim."""
 HALVINGS = 60
-"""Of a box's angles, in search of one vertex for each part."""
+"""Most halvings of a box's angles in the search for one vertex of each part."""
 
 HALF_TURN = Fraction(1, 2)
 

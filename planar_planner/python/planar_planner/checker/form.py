@@ -45,7 +45,7 @@ from planar_planner.checker.records import (
 from planar_planner.errors import CertificateError
 
 DEEPEST_LEVEL = 60
-"""Of a box: its sides are at least 2^-60 of the domain's."""
+"""The deepest level of a box: its sides are at least 2^-60 of the domain's."""
 MAX_LENGTH = 2**100
 MAX_ANGLE = 2**20
 """In radians and in turns."""

@@ -5,7 +5,7 @@ approached from both sides. What is re-used from one body to the next:
 
 - the path, certified again for the larger body, which spares the query;
 - its clearance, which lifts the lower end above the body that was asked about;
-- its bottleneck, whose clearance is a guess of the margin: two queries beside it often do.
+- its narrow place, whose clearance is a guess of the margin: two queries beside it often do.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from planar_planner.problem.make import Problem
 from planar_planner.problem.plane import with_robot
 
 SHARE = 0.5
-"""Of the time that is left, what one query may take: an undecided one leaves some for others."""
+"""The part of the time left that one query may take: an undecided one leaves some for others."""
 
 MOST_UNDECIDED = 6
 """Undecided queries after which the bracket stands as it is."""

@@ -1,4 +1,4 @@
-"""The pipeline of a margin: ends, the robot as it is, bisection, bottleneck."""
+"""The pipeline of a margin: ends, the robot as it is, bisection, narrow place."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from planar_planner.load import SceneLike, load_scene
 from planar_planner.margins.body import Body, Family, Floats, geometry_of
 from planar_planner.margins.bracket import Bracket, Search
 from planar_planner.margins.ends import Ends, ends_of, scale_limit
-from planar_planner.margins.narrowest import find_bottleneck
+from planar_planner.margins.narrowest import find_narrow_place
 from planar_planner.margins.offset import Offsets
 from planar_planner.margins.result import Binding, By, Margin, NarrowPlace
 from planar_planner.margins.scaling import Centre, Scalings
@@ -152,7 +152,7 @@ class _Narrowest:
         return self._last[1]
 
     def guess(self, bracket: Bracket) -> float | None:
-        """Guess the margin: at the bottleneck a robot grown by the clearance just passes."""
+        """Guess the margin: at the narrow place a robot grown by the clearance just passes."""
         place, body = self.of(bracket), bracket.lower_body
         if place is None or body is None or self._by != "offset":
             return None
@@ -163,7 +163,7 @@ class _Narrowest:
         if body is None or body.polygons is None:
             return None
         robot = problem.robot if self._by == "offset" and body.inner >= 0.0 else body.polygons
-        found = find_bottleneck(path, robot, self._around, problem)
+        found = find_narrow_place(path, robot, self._around, problem)
         if found is None:
             return None
         (x, y, theta), clearance, contacts = found
@@ -197,7 +197,7 @@ def _result(found: _Measured, narrowest: _Narrowest, seconds: float) -> Margin:
         binding="size" if vanishes else cast(Binding, bracket.binding),
         start_clearance=found.ends.start,
         goal_clearance=found.ends.goal,
-        bottleneck=narrowest.of(bracket),
+        narrow_place=narrowest.of(bracket),
         path=_frozen(bracket.path),
         robot_lower=None if lower is None else geometry_of(lower.polygons),
         robot_upper=None if upper is None else geometry_of(upper.polygons),

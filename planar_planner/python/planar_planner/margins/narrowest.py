@@ -1,9 +1,9 @@
 """The narrowest place of a way: a saddle of the clearance, searched along a path.
 
 A certified path runs closer to obstacles than it must, so the place of its least clearance says
-little. At the bottleneck no sideways motion helps. So from every configuration of the path the
+little. At the narrow place no sideways motion helps. So from every configuration of the path the
 clearance is climbed within the plane across the path (in x, y and reach times theta), and the
-lowest summit is the bottleneck. The computation uses plain doubles and claims nothing.
+lowest summit is the narrow place. The computation uses plain doubles and claims nothing.
 """
 
 from __future__ import annotations
@@ -32,17 +32,17 @@ MOST_STEPS = 100
 
 CLOSE = 0.02
 """Contacts are edges that are at most this part of the reach farther than the nearest edge. A climb
-ends a little beside the exact summit, where all contacts of a bottleneck are equally near."""
+ends a little beside the exact summit, where all contacts of a narrow place are equally near."""
 
 Clearance = Callable[[Floats], float]
 Climbed = tuple[float, Floats]
 Found = tuple[Floats, float, tuple[NearestPoints, ...]]
 
 
-def find_bottleneck(
+def find_narrow_place(
     path: Floats, robot: Polygons, around: Surroundings, problem: Problem
 ) -> Found | None:
-    """Return configuration, clearance and contacts of a path's bottleneck; None if nothing is near.
+    """Return configuration, clearance and contacts of a path's narrow place, or None.
 
     Parameters
     ----------

@@ -28,7 +28,7 @@ class NarrowPlace:
     Attributes
     ----------
     configuration : (x, y, theta)
-        Of the robot.
+        Configuration of the robot.
     clearance : float
         Distance of the robot, at the margin's lower end, from what is nearest; offsets of at least
         0: of the robot as it is.
@@ -71,7 +71,7 @@ class Margin(FrozenArrays):
         robot shrunk to nothing passes, "none" if nothing does.
     start_clearance, goal_clearance : float
         Distance of the robot as it is from what is nearest to it there, rounded.
-    bottleneck : NarrowPlace or None
+    narrow_place : NarrowPlace or None
         None if there is none, or no path was found.
     path : NDArray, shape (N, 3)
         For the margin `lower`; N = 0 if that is a robot without area.
@@ -96,7 +96,7 @@ class Margin(FrozenArrays):
     binding: Binding
     start_clearance: float
     goal_clearance: float
-    bottleneck: NarrowPlace | None
+    narrow_place: NarrowPlace | None
     path: NDArray[np.float64]
     robot_lower: dict[str, Any] | None
     robot_upper: dict[str, Any] | None
@@ -159,7 +159,7 @@ class Margin(FrozenArrays):
             "binding": self.binding,
             "start_clearance": _finite(self.start_clearance),
             "goal_clearance": _finite(self.goal_clearance),
-            "bottleneck": None if self.bottleneck is None else asdict(self.bottleneck),
+            "narrow_place": None if self.narrow_place is None else asdict(self.narrow_place),
             "path": self.path.tolist(),
             "robot_lower": self.robot_lower,
             "robot_upper": self.robot_upper,

@@ -45,7 +45,7 @@ def margin_details(margin: Margin) -> str:
         _monotone_line(margin),
         f"clearance: {_length(margin.start_clearance)} at the start, "
         f"{_length(margin.goal_clearance)} at the goal",
-        *_bottleneck_lines(margin),
+        *_narrow_place_lines(margin),
         f"work: {counts['queries']} queries, {counts['recertified']} answered by an earlier path, "
         f"{counts['cells']:,} cells, {margin.seconds:.2f} s",
     ]
@@ -75,8 +75,8 @@ def _monotone_line(margin: Margin) -> str:
     return "the robot is not star-shaped about the centre: a larger robot may have a path again"
 
 
-def _bottleneck_lines(margin: Margin) -> list[str]:
-    place = margin.bottleneck
+def _narrow_place_lines(margin: Margin) -> list[str]:
+    place = margin.narrow_place
     if place is None:
         return []
     x, y, theta = place.configuration

@@ -1,4 +1,4 @@
-"""The picture of a margin: the scene with its bottleneck, and a close-up of the bottleneck."""
+"""The picture of a margin: the scene with its narrow place, and a close-up of the narrow place."""
 
 from __future__ import annotations
 
@@ -44,11 +44,11 @@ def draw_margin(scene: Scene, margin: Margin) -> Figure:
     Returns
     -------
     Figure
-        The figure, with an Agg canvas. Without a bottleneck the close-up is left out.
+        The figure, with an Agg canvas. Without a narrow place the close-up is left out.
     """
     problem = make_problem(scene)
     view = view_box(problem, margin.path)
-    place = margin.bottleneck
+    place = margin.narrow_place
     panels = 1 if place is None else 2
     height = SIDE * min(1.0, (view[3] - view[1]) / (view[2] - view[0]))
     figure = new_figure(SIDE * panels + 1.0, (height if panels == 1 else SIDE) + 1.4)
@@ -121,7 +121,7 @@ def _draw_contacts(axes: Axes, place: NarrowPlace) -> list[Artist]:
 
 
 def _close_up(problem: Problem, place: NarrowPlace) -> Box:
-    """Return a square round the robot at the bottleneck."""
+    """Return a square round the robot at the narrow place."""
     low_x, low_y, high_x, high_y = placed(shape_of(problem.robot), place.configuration).bounds
     extent = max(high_x - low_x, high_y - low_y)
     half = (0.5 + ROOM) * extent

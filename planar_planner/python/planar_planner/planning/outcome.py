@@ -21,7 +21,7 @@ PATHS: Mapping[DecidedBy, str] = {
 
 PROOFS: Mapping[DecidedBy, str] = {
     DecidedBy.DISC: "a disc inside the robot has no path",
-    DecidedBy.SEPARATION: "cells and faces proven to lie in C-obstacle separate start from goal",
+    DecidedBy.SEPARATION: "cells and faces inside the C-obstacle separate start from goal",
     DecidedBy.START: "the start is not free",
     DecidedBy.GOAL: "the goal is not free",
 }

@@ -37,8 +37,8 @@ class GoalSet:
         Closed, in radians and up to whole turns, lo <= hi < lo + 2π; None if any theta will do.
         Where the robot may not turn, the start's theta lies in it.
     left : Polygons or None
-        Of an escape the polygon that is left behind; `polygons` is then the plane outside it, up to
-        a frame that no robot within its bounds reaches.
+        The polygon that an escape leaves behind; `polygons` is then the plane outside it, up to a
+        frame that no robot within its bounds reaches.
     """
 
     polygons: Polygons

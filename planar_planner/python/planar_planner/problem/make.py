@@ -45,7 +45,7 @@ class Problem:
     Attributes
     ----------
     name, source : str
-        Of the scene, for results and messages.
+        Name and origin of the scene, for results and messages.
     robot : Polygons
         In the robot's frame, whose origin is the reference point.
     obstacles : Polygons

@@ -22,7 +22,7 @@ def scene_of_json(content: object, source: str, default_name: str) -> Scene:
     source : str
         For messages.
     default_name : str
-        Of a scene that has none.
+        Name for a scene that has none.
 
     Raises
     ------

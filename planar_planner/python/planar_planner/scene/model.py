@@ -54,13 +54,13 @@ class Scene:
     source : str
         Where the scene came from, for messages; its name if it came from nowhere.
     notes : tuple of str
-        What an importer did to the geometry of a file in an outside format.
+        What an importer did to the geometry of a file in another format.
     holds_for : str
         The verdict that carries over to the curves of such a file, ``path`` or ``no_path``; empty
         if both do.
     bounds_are_chosen : bool
-        Whether `bounds` stand for the unbounded plane (`planar_planner.scene.plane`): a file in an
-        outside format states none, and a margin chooses them anew for each larger robot.
+        Whether `bounds` stand for the unbounded plane (`planar_planner.scene.plane`): a file in
+        another format states none, and a margin chooses them anew for each larger robot.
 
     Raises
     ------

@@ -50,7 +50,7 @@ Ball point_distance(const exact::Vector& p, const Piece& edges) {
   return nearest;
 }
 
-// Of disjoint pieces: attained at a vertex of one of them.
+// The distance of disjoint pieces is attained at a vertex of one of them.
 Ball distance(const Piece& a, const Piece& b) {
   Ball nearest = point_distance(a.vertices[0], b);
   for (const exact::Vector& p : a.vertices) nearest = least(nearest, point_distance(p, b));

@@ -17,7 +17,7 @@ namespace {
 using planner::Configuration;
 using planner::Interval;
 
-// Of the bound: how far the exact least value of a range may be from known.
+// The part of the bound by which the exact least value of a range may be unknown.
 constexpr double kSlack = 0x1p-10;
 
 struct Way {

@@ -222,7 +222,7 @@ Kind any_kind(Random& random, const bool adversarial, const int most_dimensions)
   return kind;
 }
 
-// Of sizes that make coordinates of different scale weigh alike.
+// The sizes make coordinates of different scale weigh alike.
 Coordinates direction(Random& random, const Kind& kind) {
   Coordinates u;
   for (const double scale : kind.scales) u.push_back(number(random, kind) / scale);

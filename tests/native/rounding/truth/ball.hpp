@@ -90,7 +90,7 @@ inline Ball scaled(const Ball& a, const int e) {
   return {a.middle * static_cast<Wide>(std::ldexp(1.0, e)), std::ldexp(a.radius, e) * kUp};
 }
 
-// Of a number that is not negative, whatever its ball says.
+// The number is not negative, whatever its ball says.
 inline Ball square_root(const Ball& a) {
   const Wide top = a.middle + static_cast<Wide>(a.radius) * kUp;
   if (!(top > 0)) return {};
@@ -151,8 +151,8 @@ inline SineCosine turned(const SineCosine& a, const std::int64_t quarters) {
   }
 }
 
-// Of a number of radians below 2^23 in magnitude that is exactly a Wide of at most 60 fraction bits
-// or smaller than a quarter turn; `radius` comes on top.
+// The argument is a number of radians below 2^23 in magnitude that is exactly a Wide of at most 60
+// fraction bits or smaller than a quarter turn; `radius` comes on top.
 inline SineCosine sine_cosine(const Ball& x) {
   const Ball quarter = scaled(pi(), -1);
   const auto k =
@@ -163,7 +163,7 @@ inline SineCosine sine_cosine(const Ball& x) {
   return turned(small_sine_cosine({rest, x.radius + 0x1p-106}), k);
 }
 
-// Of k 2^-61 turns: the nearest quarter is taken off exactly.
+// The argument is k 2^-61 turns; the nearest quarter is taken off exactly.
 inline SineCosine sine_cosine_of_turns(const std::uint64_t k) {
   constexpr std::uint64_t quarter = std::uint64_t{1} << 59U;
   const std::uint64_t nearest = (k + quarter / 2) / quarter;

@@ -51,7 +51,7 @@ struct Way {
 Way way_of(const pdg::Frame& frame, const planner::Configuration& from,
            const planner::Configuration& to);
 
-// Of a motion, begin <= u <= end.
+// A stretch of a motion, begin <= u <= end.
 struct Stretch {
   Ball begin, end;
 };

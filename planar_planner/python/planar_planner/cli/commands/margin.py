@@ -38,7 +38,7 @@ def add(commands: Any) -> None:
         "compute how far the robot can grow, or must shrink, and where it is narrowest",
         examples=(
             "margin slot",
-            "margin corner-too-long --width 1e-4 --plot bottleneck.png",
+            "margin corner-too-long --width 1e-4 --plot narrow.png",
             "margin corner --by scale --about centroid --json margin.json",
         ),
         status=_STATUS,
@@ -65,7 +65,7 @@ def add(commands: Any) -> None:
         "(default: 1/1000 of half the robot's diagonal, or 1/1000)",
     )
     add_json(margin, "the margin")
-    add_plot(margin, "draw the scene and its bottleneck")
+    add_plot(margin, "draw the scene and its narrow place")
     margin.add_argument("--quiet", action="store_true", help="print one line and no progress")
     add_limits(margin)
     margin.set_defaults(run=run)

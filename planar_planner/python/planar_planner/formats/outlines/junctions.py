@@ -166,7 +166,7 @@ def _parted(strand: Strand, cuts: list[tuple[int, float, Point]], reach: float) 
 
 
 def boundaries(graph: Graph, place: str) -> Iterator[Walk]:
-    """Yield the outer boundary of each part of a graph that hangs together.
+    """Yield the outer boundary of each connected part of a graph.
 
     Raises
     ------

@@ -41,7 +41,7 @@ class Context:
     values : Values
         The parent's properties.
     size : Size
-        Of the nearest viewport.
+        Size of the nearest viewport.
     clips : tuple of Clip
         What nested viewports cut off.
     left_out : bool

@@ -31,7 +31,7 @@ def runs_of(node: Node, values: Values, size: Size, place: str) -> list[list[Pie
     values : Values
         Its properties.
     size : Size
-        Of the nearest viewport, for percentages.
+        Size of the nearest viewport, for percentages.
     place : str
         For messages.
     """

@@ -60,7 +60,7 @@ class Viewport:
     matrix : Affine
         From the inner user space into that of the element's parent.
     size : Size
-        Of the inner user space, for percentages.
+        Size of the inner user space, for percentages.
     limit : rectangle, optional
         What is shown, in the parent's user space; None if nothing is cut off.
     """
