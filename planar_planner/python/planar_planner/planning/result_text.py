@@ -4,23 +4,41 @@ from __future__ import annotations
 
 import html
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from planar_planner.errors import cut, one_line, shown
 
-if TYPE_CHECKING:
-    from planar_planner.planning.result import Result
+
+class _Answer(Protocol):
+    """What the texts take from a result."""
+
+    @property
+    def scene(self) -> str: ...
+    @property
+    def verdict(self) -> str: ...
+    @property
+    def reason(self) -> str: ...
+    @property
+    def path(self) -> NDArray[np.float64]: ...
+    @property
+    def path_length(self) -> float: ...
+    @property
+    def least_clearance(self) -> float: ...
+
 
 _VERDICTS = {"path": "path found", "no_path": "no path, proven", "undecided": "undecided"}
 
 
-def result_line(result: Result) -> str:
+def result_line(result: _Answer) -> str:
     """Return class, scene, figures and reason in one short line."""
     figures = "".join(f"{name} {value}, " for name, value in _figures(result).items())
     return f"<{type(result).__name__} {shown(result.scene)}: {figures}{one_line(result.reason)}>"
 
 
-def result_html(result: Result) -> str:
+def result_html(result: _Answer) -> str:
     """Return a table of the same as HTML; names from files cannot end it or add to it."""
     rows = {"scene": result.scene, "verdict": _VERDICTS[result.verdict], "by": result.reason}
     lines = "".join(
@@ -31,7 +49,7 @@ def result_html(result: Result) -> str:
     return f"<table>{lines}</table>"
 
 
-def _figures(result: Result) -> dict[str, str]:
+def _figures(result: _Answer) -> dict[str, str]:
     if result.verdict != "path":
         return {}
     return {
@@ -41,7 +59,7 @@ def _figures(result: Result) -> dict[str, str]:
     }
 
 
-def headline(result: Result, paint: Callable[[str], str] = str) -> str:
+def headline(result: _Answer, paint: Callable[[str], str] = str) -> str:
     """Return the verdict in one line; `paint` may colour its words."""
     reason = one_line(f" ({result.reason})") if result.reason else ""
     return f"{one_line(result.scene)}: {paint(_VERDICTS[result.verdict])}{reason}"
