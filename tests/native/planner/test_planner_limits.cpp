@@ -29,13 +29,14 @@ planner::Problem room() {
 struct Searched {
   explicit Searched(planner::LimitCheck check)
       : query(
-            {2, 2, 0}, planner::Configuration{8, 8, 1}, nullptr, limits,
-            [this] { return static_cast<double>(looks++); }, std::move(check)) {
+            {2, 2, 0}, goal, nullptr, limits, [this] { return static_cast<double>(looks++); },
+            std::move(check)) {
     planner::Search(world.problem, world.tree, subdivision, faces, segments, world.statistics,
                     query)
         .run();
   }
 
+  planner::Goal goal{planner::Configuration{8, 8, 1}};
   worlds::World world{room()};
   planner::Limits limits;
   planner::SegmentTest segments{world.problem, world.labeller, world.statistics};
