@@ -72,7 +72,7 @@ _STARVED_COMMAND = """
 import resource, sys
 import numpy, shapely
 import planar_planner.cli.commands.solve, planar_planner.planning.planner
-from planar_planner.cli import main
+from planar_planner.cli.main import main
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 resource.setrlimit(resource.RLIMIT_AS, (used + int(sys.argv.pop(1)), resource.RLIM_INFINITY))
 sys.exit(main())

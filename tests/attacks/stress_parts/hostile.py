@@ -34,7 +34,7 @@ try:
     resource.setrlimit(resource.RLIMIT_AS, ({ADDRESS_SPACE}, {ADDRESS_SPACE}))
 except ImportError:
     pass
-from planar_planner.cli import main
+from planar_planner.cli.main import main
 status = main()
 try:
     peak = re.search(r"VmHWM:\\s*(\\d+)", open("/proc/self/status").read())[1]
