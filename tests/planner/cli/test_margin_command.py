@@ -12,6 +12,7 @@ from planar_planner.cli.main import main
 from planar_planner.margins.find import Asked, bracketed
 from planar_planner.pictures.margin import draw_margin
 from planar_planner.problem.make import make_problem
+from scenarios import maze
 
 
 @pytest.mark.parametrize(
@@ -94,6 +95,7 @@ def test_reuse_spares_queries_and_changes_no_claim() -> None:
 
 
 def test_a_listener_stops_it() -> None:
-    found = margin("gear", Options(), width=1e-4, listener=lambda _: False)
+    """The first query takes several tenths of a second, so that the listener is called in it."""
+    found = margin(maze.maze(64), Options(), width=1e-4, listener=lambda _: False)
     assert found.reason == "interrupted"
     assert not found.decided
