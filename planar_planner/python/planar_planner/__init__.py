@@ -41,6 +41,7 @@ if TYPE_CHECKING:
         Undecided,
     )
     from planar_planner.scene.goal_forms import Escape, GoalRegion
+    from planar_planner.scene.import_report import ImportReport
     from planar_planner.scene.model import Scene
 
     __version__: str
@@ -54,6 +55,7 @@ _HOMES = {
     "Escape": "scene.goal_forms",
     "GoalRegion": "scene.goal_forms",
     "ImportOptions": "formats.parts",
+    "ImportReport": "scene.import_report",
     "Listener": "planning.engine",
     "Margin": "margins.result",
     "NarrowPlace": "margins.result",
@@ -90,6 +92,7 @@ __all__ = [
     "Escape",
     "GoalRegion",
     "ImportOptions",
+    "ImportReport",
     "Listener",
     "Margin",
     "NarrowPlace",

@@ -117,7 +117,10 @@ class Parts:
     Attributes
     ----------
     obstacles : list of Shape
-        World frame.
+        World frame; `add_obstacles` adds some with a name.
+    obstacle_names : dict of int to str
+        What the file calls an obstacle (its id, layer, feature or line), by its index; those of
+        which the file says nothing have none.
     robot : list of Shape, optional
         In the robot's frame, whose origin is the reference point.
     workspace : Shape, optional
@@ -153,3 +156,11 @@ class Parts:
     name: str = ""
     description: str = ""
     holds_for: str = ""
+    obstacle_names: dict[int, str] = field(default_factory=dict)
+
+    def add_obstacles(self, shapes: Iterable[Shape], name: str) -> None:
+        """Add shapes that the file calls by one name."""
+        for shape in shapes:
+            if name:
+                self.obstacle_names[len(self.obstacles)] = name
+            self.obstacles.append(shape)

@@ -13,9 +13,10 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch, Rectangle
 from matplotlib.path import Path
 
+from planar_planner.errors import one_line
 from planar_planner.margins.result import Margin, NarrowPlace
 from planar_planner.margins.surroundings import placed, shape_of
-from planar_planner.margins.text import margin_headline
+from planar_planner.margins.text import margin_headline, touched
 from planar_planner.pictures.shapes import workspace_path
 from planar_planner.pictures.style import INK, TRACE, new_figure
 from planar_planner.pictures.world import draw_ends, draw_world, frame_axes, view_box
@@ -78,7 +79,8 @@ def draw_margin(scene: Scene, margin: Margin) -> Figure:
             )
         )
         frame_axes(axes[1], near, outlined=False)
-        axes[1].set_title("where it is narrowest", color=INK, fontsize=11)
+        pinch = one_line(f"narrowest: {touched(place)}")
+        axes[1].set_title(pinch, color=INK, fontsize=11, parse_math=False, wrap=True)
     headline = margin_headline(margin).replace("; ", "\n", 1)
     figure.suptitle(headline, color=INK, fontsize=12, parse_math=False)
     figure.legend(handles=keys, loc="outside lower center", ncols=4, frameon=False, fontsize=9)

@@ -135,7 +135,12 @@ class Planner:
             except MemoryError:
                 stop = StopReason.OUT_OF_MEMORY
                 return Undecided(
-                    query.name, STOPS[stop], np.empty((0, 3)), Statistics(), stop_reason=stop
+                    query.name,
+                    STOPS[stop],
+                    np.empty((0, 3)),
+                    Statistics(),
+                    stop_reason=stop,
+                    imported=query.imported,
                 )
 
     def cells(self) -> Cells:
@@ -216,17 +221,16 @@ class Planner:
         evidence = core.evidence() if certificate else None
         self._core = core
         if evidence is None:
-            return make_result(query.name, answer)
+            return make_result(query.name, answer, imported=query.imported)
         written = make_certificate(query, evidence, limits.contact_tolerance)
         if written is None and answer["verdict"] != "undecided":
-            return _without_evidence(query.name, answer)
-        return make_result(query.name, answer, written)
+            return _without_evidence(query, answer)
+        return make_result(query.name, answer, written, query.imported)
 
 
-def _without_evidence(scene: str, answer: Mapping[str, Any]) -> Result:
+def _without_evidence(query: Problem, answer: Mapping[str, Any]) -> Result:
     """Return an answer whose evidence the core could not write as undecided."""
     undecided = {"verdict": "undecided", "stop_reason": StopReason.NO_EVIDENCE}
     stats = answer["stats"].replace(decided_by=None)
-    return make_result(
-        scene, {**answer, **undecided, "stats": stats, "path": [], "ends_moved": False}
-    )
+    changed = {**answer, **undecided, "stats": stats, "path": [], "ends_moved": False}
+    return make_result(query.name, changed, imported=query.imported)

@@ -95,8 +95,8 @@ def run(arguments: argparse.Namespace) -> int:
         if not arguments.quiet:
             emit(margin_details(found))
     output.write(found.to_json())
-    if scene.holds_for:
-        side = "lower" if scene.holds_for == "path" else "upper"
+    if found.imported.holds_for:
+        side = "lower" if found.imported.holds_for == "path" else "upper"
         complain(
             f"curves were flattened to one side: only the {side} number is also proven for the "
             "curves of the drawing"

@@ -105,7 +105,7 @@ def run(arguments: argparse.Namespace) -> int:
     status, text, content = (_push if arguments.push else _replay)(arguments, scene)
     if not output.to_stdout:
         emit(text.partition("\n")[0] if arguments.quiet else text)
-    output.write(content)
+    output.write(content | scene.imported.to_json())
     return status
 
 

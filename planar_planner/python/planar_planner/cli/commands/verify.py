@@ -92,6 +92,7 @@ def _finding(scene: Any, arguments: argparse.Namespace) -> tuple[int, dict[str, 
         status, content = 2, {"claim": "", "problem": "is too large for the memory"}
     else:
         status, content = 0, proven
+    content |= scene.imported.to_json()
     finding = ("valid", "rejected", "unreadable", "undecided")[status]
     seconds = round(time.monotonic() - began, 3)
     return status, common | {"finding": finding} | content | {"seconds": seconds}

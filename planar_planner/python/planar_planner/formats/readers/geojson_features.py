@@ -76,7 +76,7 @@ def _take(feature: Mapping[str, object], place: str, parts: Parts, notes: Notes)
     areal = _areal(geometry, where, notes if role == "obstacle" else None)
     shapes = [s for part, at in areal for s in repaired(part, at or "geometry", notes)]
     if role == "obstacle":
-        parts.obstacles += shapes
+        parts.add_obstacles(shapes, _name(feature, properties) or place)
     elif role == "robot":
         parts.robot = [*(parts.robot or []), *shapes]
     elif role == "workspace":
@@ -85,6 +85,14 @@ def _take(feature: Mapping[str, object], place: str, parts: Parts, notes: Notes)
         parts.workspace = shapes[0]
     else:
         parts.reference_bounds = _rectangle(shapes, where)
+
+
+def _name(feature: Mapping[str, object], properties: Mapping[str, object]) -> str:
+    """Return what a feature is called: its name, else its id; empty if it has neither."""
+    for value in (properties.get("name"), feature.get("id"), properties.get("id")):
+        if isinstance(value, (str, int, float)) and value != "":
+            return str(value)
+    return ""
 
 
 def _areal(geometry: object, where: str, notes: Notes | None) -> list[tuple[object, str]]:

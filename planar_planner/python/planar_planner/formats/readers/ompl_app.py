@@ -8,7 +8,7 @@ from pathlib import Path
 
 from planar_planner.errors import SceneError
 from planar_planner.formats.parts import ImportOptions, Notes, Parts
-from planar_planner.formats.readers.collada import Mesh, centred, mesh_of, region
+from planar_planner.formats.readers.collada import Mesh, add_region, centred, mesh_of
 from planar_planner.formats.reading import angle, coordinate, text_of
 from planar_planner.scene.fields import Box, Configuration
 from planar_planner.scene.json_file import file_bytes
@@ -31,7 +31,7 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
         if key in problem:
             raise SceneError("belongs to a problem in space; only planar ones are read", key)
     parts = Parts(name=problem.get("name", ""))
-    parts.obstacles = region(_mesh(problem, "world", path), notes)
+    add_region(_mesh(problem, "world", path), parts, notes)
     if options.robot is None and options.footprint is None:
         parts.robot = centred(_mesh(problem, "robot", path), notes)
     parts.start, parts.goal = (_configuration(problem, name) for name in ("start", "goal"))

@@ -49,10 +49,9 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
         return parts
     occupied = occupied_cells(content, path, notes, unknown=options.unknown)
     place = _Placement(content, occupied.shape)
-    parts.obstacles = [
-        [place.ring(ring) for ring in polygon] for polygon in grid_polygons(occupied)
-    ]
     rows, columns = occupied.shape
+    for polygon in grid_polygons(occupied):
+        parts.add_obstacles([[place.ring(r) for r in polygon]], _cells(polygon, rows))
     parts.workspace = [place.ring([(0, 0), (columns, 0), (columns, rows), (0, rows)])]
     kinds = "occupied and unknown" if options.unknown else "occupied"
     notes.say(
@@ -131,6 +130,15 @@ def _image(file: Path) -> Image:
         return decoded(data)
     except SceneError as error:
         raise error if error.source else error.in_source(str(file)) from None
+
+
+def _cells(polygon: list[GridRing], rows: int) -> str:
+    """Return which cells a polygon is made of, counted from 0 as in the image, from above."""
+    xs, ys = zip(*polygon[0], strict=True)
+    return (
+        f"cells of columns {min(xs)} to {max(xs) - 1}, rows {rows - max(ys)} to "
+        f"{rows - min(ys) - 1}"
+    )
 
 
 class _Placement:

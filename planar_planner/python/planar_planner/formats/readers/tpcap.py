@@ -52,7 +52,7 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
     expected = 7 + count + 2 * sum(sizes)
     if len(values) != expected:
         raise SceneError(f"has {len(values)} values, but it announces {expected}")
-    obstacles: list[Shape] = []
+    parts = Parts(robot=[CAR], start=start, goal=goal)
     at = 7 + count
     for k, size in enumerate(sizes):
         ring = [
@@ -60,8 +60,9 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
             for i in range(at, at + 2 * size, 2)
         ]
         at += 2 * size
-        obstacles += polygons_of([ring], f"obstacle {k + 1}", notes)
-    return Parts(obstacles=obstacles, robot=[CAR], start=start, goal=goal)
+        name = f"obstacle {k + 1}"
+        parts.add_obstacles(polygons_of([ring], name, notes), name)
+    return parts
 
 
 def _configuration(values: list[str], names: list[str], first: int) -> Configuration:

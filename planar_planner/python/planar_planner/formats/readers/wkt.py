@@ -109,7 +109,7 @@ def _features(role: str, text: str, place: str, notes: Notes) -> Iterator[dict[s
         for part in _members(body, place):
             yield from _features(role, part, place, notes)
         return
-    properties: dict[str, Any] = {"role": role}
+    properties: dict[str, Any] = {"role": role, "name": place}
     if kind == "POINT":
         numbers = body.strip().removeprefix("(").removesuffix(")").split()
         if len(numbers) not in (2, 3) or (len(numbers) == 3 and "M" in dimension):

@@ -120,7 +120,7 @@ def _environment(rings: list[tuple[str, Ring]], notes: Notes) -> Parts:
         )
     parts = Parts()
     for place, own in solid:
-        parts.obstacles += polygons_of(own, place, notes)
+        parts.add_obstacles(polygons_of(own, place, notes), place)
     for place, ring in boundary:
         shapes = polygons_of([ring], place, notes)
         if len(shapes) != 1:

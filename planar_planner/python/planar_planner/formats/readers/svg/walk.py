@@ -111,8 +111,8 @@ def _children(document: Document, parent: Node, context: Context) -> None:
 
 def _element(document: Document, node: Node, context: Context) -> None:
     kind = node.local_name
-    place = f"{kind} {cut(node.id)!r}" if node.id else cut(kind)
     own = names_of(node)
+    place = document.place(node, own, context)
     role = document.role(own, context) if kind in SHAPES or kind in _NOT_READ else None
     if kind in SHAPES and role is None and not document.options.only_robot:
         if not context.left_out:
