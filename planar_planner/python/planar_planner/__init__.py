@@ -8,10 +8,11 @@
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+TYPE_CHECKING = False  # as typing says: the command line starts without importing typing
 
 if TYPE_CHECKING:
+    from typing import Any
+
     from planar_planner.checker.verify import Verification, verify_certificate
     from planar_planner.errors import (
         CertificateError,
@@ -130,6 +131,8 @@ def __getattr__(name: str) -> Any:
         return globals()[name]
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    import importlib
+
     value = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
     globals()[name] = value
     return value

@@ -124,6 +124,7 @@ def run(arguments: argparse.Namespace) -> int:
     planner = Planner(scene)
     with Progress(sys.stderr, "checking the scene", quiet=arguments.quiet) as progress:
         result = planner.solve(options=options, listener=progress)
+    arguments.stated.status = EXIT_STATUS[result.verdict]
     if not output.to_stdout:
         print_verdict(result, brief=arguments.quiet)
     say_one_sided(result)

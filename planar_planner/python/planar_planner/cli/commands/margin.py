@@ -89,6 +89,8 @@ def run(arguments: argparse.Namespace) -> int:
             width=arguments.width,
             listener=progress,
         )
+    status = EXIT_STATUS[found.verdict] if found.decided else LIMIT_REACHED
+    arguments.stated.status = status
     if not output.to_stdout:
         style = VERDICT_STYLES[found.verdict]
         emit(margin_headline(found, lambda verdict: styled(verdict, style, sys.stdout)))
@@ -108,4 +110,4 @@ def run(arguments: argparse.Namespace) -> int:
         figure = draw_margin(scene, found)
         with written_aside(arguments.plot) as aside:
             save_picture(figure, aside, arguments.plot.suffix)
-    return EXIT_STATUS[found.verdict] if found.decided else LIMIT_REACHED
+    return status

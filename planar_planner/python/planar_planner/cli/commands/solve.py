@@ -67,6 +67,7 @@ def run(arguments: argparse.Namespace) -> int:
         result = planner.solve(
             options=options, listener=progress, certificate=arguments.certificate is not None
         )
+    arguments.stated.status = EXIT_STATUS[result.verdict]
     if not output.to_stdout:
         brief = arguments.quiet or arguments.verdict_only
         print_verdict(result, brief=brief, contact_tolerance=options.contact_tolerance)
@@ -75,10 +76,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.certificate is not None:
         _write_certificate(result, arguments.certificate)
     if arguments.plot is not None:
-        try:
-            _draw(planner, result, view, arguments, options)
-        except KeyboardInterrupt:  # the verdict is printed, and the status states it all the same
-            complain(f"interrupted; {arguments.plot} is not written")
+        _draw(planner, result, view, arguments, options)
     return EXIT_STATUS[result.verdict]
 
 

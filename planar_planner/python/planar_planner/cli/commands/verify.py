@@ -63,6 +63,7 @@ def run(arguments: argparse.Namespace) -> int:
     scene = scene_of(arguments, arguments.scene)
     with Progress(sys.stderr, "checking the certificate"):
         status, finding = _finding(scene, arguments)
+    arguments.stated.status = status
     if status in (2, 3) and not output.to_stdout:
         complain(f"{arguments.certificate}: {finding['problem']}")
     elif not output.to_stdout:
