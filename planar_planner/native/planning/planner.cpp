@@ -56,14 +56,17 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
   LimitWatch watch(limits, listener);
   Query query(
       start, goal, region ? &*region : nullptr, limits, [&] { return watch.elapsed(); },
-      [&](const Usage& usage, const auto& progress) { return watch.check(usage, progress); });
+      [&](const Usage& usage, const auto& progress) {
+        if (usage.cells >= pause_) return std::optional(StopReason::kMaxCells);
+        return watch.check(usage, progress);
+      });
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   CollisionHint hint(problem_, *tree_);
   layer_.reset();
   if (!contact_answer(query, start, goal) && !ends_not_free(query) &&
       (query.in_contact || !guess(query, hint, goal, listener)) &&
-      (problem_.rotation || !layer_answer(query, start, goal)))
+      !small_subdivision(query, start, goal))
     subdivide(query);
   if (query.answer.stop_reason == StopReason::kResolution) settle_resolution(query, start, goal);
   confirm_absence(query, start, goal);
@@ -108,9 +111,22 @@ bool Planner::guess(Query& query, CollisionHint& hint, const Goal& goal, const L
          (parts.probe && probe(query, hint));
 }
 
+// A few cells first, which tell most scenes and show where a way is shut; then the exact decision,
+// which costs no more in scenes where everything fits exactly; all cells only after that.
+bool Planner::small_subdivision(Query& query, const Configuration& start, const Goal& goal) {
+  if (problem_.rotation || !problem_.ablation.layers || query.limits.max_cells <= kCellsBeforeLayer)
+    return false;
+  pause_ = kCellsBeforeLayer;
+  subdivide(query);
+  pause_ = kNoPause;
+  if (query.stopped_by != StopReason::kMaxCells) return true;
+  query.stopped_by.reset();
+  return layer_answer(query, start, goal);
+}
+
 // The cells tell no more, since what is left touches. A way on which the robot does not turn may.
 void Planner::settle_resolution(Query& query, const Configuration& start, const Goal& goal) {
-  if (problem_.rotation && layer_answer(query, start, goal)) return;
+  if (layer_answer(query, start, goal)) return;
   if (query.in_contact) query.leave_undecided(*query.in_contact);
 }
 

@@ -56,9 +56,12 @@ class Planner {
   [[nodiscard]] const Planner& disc_inside() const { return *disc_inside_; }
 
  private:
+  static constexpr std::uint64_t kNoPause = UINT64_MAX;
+
   bool contact_answer(Query& query, const Configuration& start, const Goal& goal);
   bool ends_not_free(Query& query);
   bool guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener);
+  bool small_subdivision(Query& query, const Configuration& start, const Goal& goal);
   void settle_resolution(Query& query, const Configuration& start, const Goal& goal);
   bool cheap_move(Query& query, CollisionHint& hint);
   bool cheap_move_to(Query& query, CollisionHint& hint, const Configuration& goal,
@@ -98,6 +101,7 @@ class Planner {
   std::optional<LayerDecision> layer_;  // of the last query, if that was decided exactly
   std::unique_ptr<Planner> disc_round_, disc_inside_;
   bool disc_prepared_ = false;
+  std::uint64_t pause_ = kNoPause;  // cells at which the search stops for the exact decision
 };
 
 }  // namespace planner

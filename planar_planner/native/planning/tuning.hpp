@@ -35,6 +35,10 @@ inline constexpr int kProbePaths = 16;
 // begun: one that must fail costs more than these looks. Chosen: the eighths.
 inline constexpr std::array<double, 7> kGlances = {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};
 
+// Cells before a layer is decided exactly: some milliseconds. Chosen: the shipped scenes of robots
+// that may not turn take fewer.
+inline constexpr std::uint64_t kCellsBeforeLayer = 2000;
+
 // The size of a layer that is decided exactly, in convex sums and in their vertices. Chosen: about
 // a tenth of a second.
 inline constexpr std::size_t kMostLayerSums = 100'000;

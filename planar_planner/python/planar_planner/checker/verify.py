@@ -10,9 +10,8 @@ import math
 from dataclasses import dataclass
 
 from planar_planner import certificate_keys as keys
-from planar_planner.checker.absence import check_disc, check_end
+from planar_planner.checker.absence import check_chain, check_disc, check_end
 from planar_planner.checker.case import Case, make_case
-from planar_planner.checker.chain import check_chain
 from planar_planner.checker.demands import demand
 from planar_planner.checker.form import Source, read_certificate
 from planar_planner.checker.path import check_path
