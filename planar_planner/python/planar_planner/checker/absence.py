@@ -120,12 +120,12 @@ def check_chain(case: Case, proof: ChainProof) -> int:
 def open_set(case: Case, place: str, link: ChainLink) -> OpenSet:
     """Return translations at which a pair overlaps, or that are beyond a side of the bounds."""
     if link.pair is None:
-        return beyond(case, place, link.side or "")
+        return beyond(case, link.side or "")
     robot, obstacle = case.pieces.pair(place, link.pair)
     return interior(convex_hull(minus(o, r) for o in obstacle.vertices for r in robot.vertices))
 
 
-def beyond(case: Case, place: str, side: str) -> OpenSet:
+def beyond(case: Case, side: str) -> OpenSet:
     """Return translations beyond a side: of the reference bounds, or with a vertex past a wall."""
     beyonds = []
     if side in case.bounds:
@@ -136,7 +136,6 @@ def beyond(case: Case, place: str, side: str) -> OpenSet:
         least = min(dot(edge.normal, vertex) for vertex in case.outline)
         offset = least - dot(edge.normal, edge.base)
         beyonds.append(clipped(FAR, HalfPlane(turned(edge.normal), offset)))
-    demand(bool(beyonds), place, "names a side without bounds")
     return interior(convex_hull(chain.from_iterable(beyonds)))
 
 
