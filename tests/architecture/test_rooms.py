@@ -86,6 +86,7 @@ NATIVE_ROOMS = (
     "pdg/native/bindings",
     "planar_planner/native",
     "planar_planner/native/world",
+    "planar_planner/native/layers",
     "planar_planner/native/configurations",
     "planar_planner/native/labels",
     "planar_planner/native/cells",

@@ -4,14 +4,11 @@
 
 namespace planner {
 
-namespace {
-
 void sort_unique(std::vector<std::uint32_t>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-// Obstacle polygons whose bounding box the robot's comes near on the way.
 void append_near_polygons(const ScaledProblem& problem, const ScaledConfiguration& from,
                           const ScaledConfiguration& to, std::vector<std::uint32_t>& out) {
   const SweptBox swept = swept_box(problem, from, to);
@@ -26,8 +23,6 @@ void append_near_polygons(const ScaledProblem& problem, const ScaledConfiguratio
       out.push_back(static_cast<std::uint32_t>(i));
   }
 }
-
-}  // namespace
 
 std::vector<PieceName> robot_names(const Robot& robot) {
   std::vector<PieceName> names;

@@ -22,9 +22,18 @@ struct SeparatingEdge {
   pdg::EdgeOwner owner;
 };
 
+// A pair that the line of a translation separates: the obstacle's piece, less the robot's, lies on
+// one side of it.
+struct SeparatingLine {
+  std::uint32_t obstacle;
+  std::uint16_t robot;
+  bool obstacle_left;
+};
+
 struct ProvenInterval {
   Interval interval;
   std::vector<SeparatingEdge> edges;  // pairs whose bounding boxes do not prove them apart
+  std::vector<SeparatingLine> lines;  // the same, of exact paths
 };
 
 class SeparatingEdges {

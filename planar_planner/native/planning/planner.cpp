@@ -6,6 +6,7 @@
 
 #include "limit_watch.hpp"
 #include "planar_planner/native/cells/census.hpp"
+#include "planar_planner/native/evidence/layer_evidence.hpp"
 #include "planar_planner/native/guesses/goal_guesses.hpp"
 #include "planar_planner/native/guesses/rrt_connect.hpp"
 #include "planar_planner/native/search/channel.hpp"
@@ -55,15 +56,19 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
   LimitWatch watch(limits, listener);
   Query query(
       start, goal, region ? &*region : nullptr, limits, [&] { return watch.elapsed(); },
-      [&](const Usage& usage, const auto& progress) { return watch.check(usage, progress); });
+      [&](const Usage& usage, const auto& progress) {
+        if (usage.cells >= pause_) return std::optional(StopReason::kMaxCells);
+        return watch.check(usage, progress);
+      });
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   CollisionHint hint(problem_, *tree_);
-  const bool cheap = problem_.ablation.cheap;
-  if (!ends_not_free(query) &&
-      !(cheap && (cheap_move(query, hint) || disc_answer(query, goal, listener))) &&
-      !(problem_.ablation.probe && probe(query, hint)))
+  layer_.reset();
+  if (!contact_answer(query, start, goal) && !ends_not_free(query) &&
+      (query.in_contact || !guess(query, hint, goal, listener)) &&
+      !small_subdivision(query, start, goal))
     subdivide(query);
+  if (query.answer.stop_reason == StopReason::kResolution) settle_resolution(query, start, goal);
   confirm_absence(query, start, goal);
   remember(query, start, goal);
   settle_lifted_ends(query, start, goal);
@@ -74,7 +79,7 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
 Answer Planner::solve_certified(const Configuration& start, const Goal& goal, const Limits& limits,
                                 const Listener& listener) {
   Answer answer = solve(start, goal, limits, listener);
-  if (answer.verdict != Verdict::kPath) return answer;
+  if (answer.verdict != Verdict::kPath || layer_) return answer;
   Evidence evidence;
   evidence.waypoints = last_.waypoints;
   if (collect_segments(problem_, *tree_, evidence)) return answer;
@@ -88,6 +93,52 @@ Answer Planner::solve_certified(const Configuration& start, const Goal& goal, co
   answer.statistics.path_turning = 0.0;
   answer.statistics.waypoints = 0;
   return answer;
+}
+
+// Rounded arithmetic tells no more of an end in contact; exact arithmetic does.
+bool Planner::contact_answer(Query& query, const Configuration& start, const Goal& goal) {
+  if (query.region != nullptr) return false;
+  const auto touches = [&](const Configuration& q) {
+    return placement(q).state == PlacementState::kContact;
+  };
+  return (touches(query.start) || touches(query.goal)) && layer_answer(query, start, goal);
+}
+
+// What is certified with rounding, before there are cells.
+bool Planner::guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener) {
+  const Ablation& parts = problem_.ablation;
+  return (parts.cheap && (cheap_move(query, hint) || disc_answer(query, goal, listener))) ||
+         (parts.probe && probe(query, hint));
+}
+
+// A few cells first, which tell most scenes and show where a way is shut; then the exact decision,
+// which costs no more in scenes where everything fits exactly; all cells only after that.
+bool Planner::small_subdivision(Query& query, const Configuration& start, const Goal& goal) {
+  if (problem_.rotation || !problem_.ablation.layers || query.limits.max_cells <= kCellsBeforeLayer)
+    return false;
+  pause_ = kCellsBeforeLayer;
+  subdivide(query);
+  pause_ = kNoPause;
+  if (query.stopped_by != StopReason::kMaxCells) return true;
+  query.stopped_by.reset();
+  return layer_answer(query, start, goal);
+}
+
+// The cells tell no more, since what is left touches. A way on which the robot does not turn may.
+void Planner::settle_resolution(Query& query, const Configuration& start, const Goal& goal) {
+  if (layer_answer(query, start, goal)) return;
+  if (query.in_contact) query.leave_undecided(*query.in_contact);
+}
+
+// The exact decision is about the user's own ends.
+bool Planner::layer_answer(Query& query, const Configuration& start, const Goal& goal) {
+  const auto* const own = std::get_if<Configuration>(&goal);
+  if (!problem_.ablation.layers || own == nullptr || query.lifted) return false;
+  layer_ = decide_in_layer(problem_, start, *own);
+  if (!layer_) return false;
+  if (layer_->chain.empty()) return conclude_path(query, layer_->waypoints, DecidedBy::kTautPath);
+  query.decide(Verdict::kNoPath, DecidedBy::kOddChain);
+  return true;
 }
 
 // A colliding end has no path; one in contact is moved off by the contact tolerance, if it allows.
@@ -105,12 +156,13 @@ bool Planner::ends_not_free(Query& query) {
         continue;
       }
     }
-    // Where rounding cannot tell touching from penetration, neither a path nor its absence can be
-    // certified from here.
-    if (p.state == PlacementState::kContact)
-      query.leave_undecided(touches(at_start, p.wall));
-    else
-      query.decide(Verdict::kNoPath, at_start ? DecidedBy::kStart : DecidedBy::kGoal);
+    // Where rounding cannot tell touching from penetration, no path can be certified from here, but
+    // its absence can.
+    if (p.state == PlacementState::kContact) {
+      if (!query.in_contact) query.in_contact = touches(at_start, p.wall);
+      continue;
+    }
+    query.decide(Verdict::kNoPath, at_start ? DecidedBy::kStart : DecidedBy::kGoal);
     return true;
   }
   return false;
@@ -306,6 +358,9 @@ void Planner::remember(const Query& query, const Configuration& start, const Goa
 }
 
 Evidence Planner::evidence() {
+  if (layer_)
+    return layer_->chain.empty() ? path_evidence(problem_, layer_->layer, layer_->waypoints)
+                                 : chain_evidence(layer_->layer, layer_->chain);
   Evidence out;
   if (last_.verdict == Verdict::kPath) {
     out.waypoints = last_.waypoints;
@@ -333,7 +388,7 @@ Evidence Planner::evidence() {
 }
 
 double Planner::least_clearance() {
-  if (last_.verdict != Verdict::kPath) return 0.0;
+  if (last_.verdict != Verdict::kPath || layer_) return 0.0;
   return path_clearance(problem_, *tree_, last_.waypoints);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "layer_decision.hpp"
 #include "planar_planner/native/cells/cell_table.hpp"
 #include "planar_planner/native/cells/face.hpp"
 #include "planar_planner/native/cells/subdivision.hpp"
@@ -55,13 +56,20 @@ class Planner {
   [[nodiscard]] const Planner& disc_inside() const { return *disc_inside_; }
 
  private:
+  static constexpr std::uint64_t kNoPause = UINT64_MAX;
+
+  bool contact_answer(Query& query, const Configuration& start, const Goal& goal);
   bool ends_not_free(Query& query);
+  bool guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener);
+  bool small_subdivision(Query& query, const Configuration& start, const Goal& goal);
+  void settle_resolution(Query& query, const Configuration& start, const Goal& goal);
   bool cheap_move(Query& query, CollisionHint& hint);
   bool cheap_move_to(Query& query, CollisionHint& hint, const Configuration& goal,
                      const Terminator& stop);
   bool probe(Query& query, CollisionHint& hint);
   bool disc_answer(Query& query, const Goal& goal, const Listener& listener);
   Answer ask_disc(Planner& disc, Query& query, const Goal& goal, const Listener& listener);
+  bool layer_answer(Query& query, const Configuration& start, const Goal& goal);
   bool conclude_path(Query& query, std::vector<Configuration> path, DecidedBy by);
   void subdivide(Query& query);
   void prepare_subdivision(const Query& query);
@@ -90,8 +98,10 @@ class Planner {
   std::unique_ptr<SegmentTest> segments_;
   std::unique_ptr<Subdivision> subdivision_;
   std::unique_ptr<FaceTest> faces_;
+  std::optional<LayerDecision> layer_;  // of the last query, if that was decided exactly
   std::unique_ptr<Planner> disc_round_, disc_inside_;
   bool disc_prepared_ = false;
+  std::uint64_t pause_ = kNoPause;  // cells at which the search stops for the exact decision
 };
 
 }  // namespace planner

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace planner {
@@ -33,5 +34,14 @@ inline constexpr int kProbePaths = 16;
 // Configurations of each leg that are looked at, the middle first, before a certificate of it is
 // begun: one that must fail costs more than these looks. Chosen: the eighths.
 inline constexpr std::array<double, 7> kGlances = {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};
+
+// Cells before a layer is decided exactly: some milliseconds. Chosen: the shipped scenes of robots
+// that may not turn take fewer.
+inline constexpr std::uint64_t kCellsBeforeLayer = 2000;
+
+// The size of a layer that is decided exactly, in convex sums and in their vertices. Chosen: about
+// a tenth of a second.
+inline constexpr std::size_t kMostLayerSums = 100'000;
+inline constexpr std::size_t kMostLayerVertices = 1'000'000;
 
 }  // namespace planner

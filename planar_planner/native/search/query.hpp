@@ -34,6 +34,7 @@ struct Query {
   Answer answer;
   std::optional<StopReason> stopped_by;  // a limit that was reached, or the listener
   bool lifted = false;                   // an end in contact was moved off
+  std::optional<StopReason> in_contact;  // of an end that was not: a path cannot be certified
 
   Query(const Configuration& s, const Goal& g, const GoalRegion* r, const Limits& l, Clock seconds,
         LimitCheck stop)

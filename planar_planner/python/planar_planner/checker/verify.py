@@ -10,12 +10,12 @@ import math
 from dataclasses import dataclass
 
 from planar_planner import certificate_keys as keys
-from planar_planner.checker.absence import check_disc, check_end
+from planar_planner.checker.absence import check_chain, check_disc, check_end
 from planar_planner.checker.case import Case, make_case
 from planar_planner.checker.demands import demand
 from planar_planner.checker.form import Source, read_certificate
 from planar_planner.checker.path import check_path
-from planar_planner.checker.records import DiscProof, PathProof, Proof, Separation
+from planar_planner.checker.records import ChainProof, DiscProof, PathProof, Proof, Separation
 from planar_planner.checker.separation import check_separation
 from planar_planner.errors import OptionsError
 from planar_planner.load import load_scene
@@ -34,7 +34,8 @@ class Verification:
     verdict : str
         ``"path"`` or ``"no_path"``.
     proof : str
-        ``"path"``, ``"separation"``, ``"disc"`` or ``"end"`` (docs/certificate.md).
+        ``"path"``, ``"separation"``, ``"disc"``, ``"odd_chain"`` or ``"end"``
+        (docs/certificate.md).
     contact_tolerance : float
         The path's ends may be so far from start and goal, in the scene's unit of length.
     claims : int
@@ -99,4 +100,6 @@ def _checked(case: Case, proof: Proof, contact_tolerance: float) -> Verification
     if isinstance(proof, DiscProof):
         claims = check_disc(case, proof)
         return Verification(keys.NO_PATH, keys.DISC_CLAIM, 0.0, claims)
+    if isinstance(proof, ChainProof):
+        return Verification(keys.NO_PATH, keys.CHAIN_CLAIM, 0.0, check_chain(case, proof))
     return Verification(keys.NO_PATH, keys.END_CLAIM, 0.0, check_end(case, proof))
