@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "limit_watch.hpp"
 #include "planar_planner/native/cells/census.hpp"
+#include "planar_planner/native/configurations/reference_point.hpp"
 #include "planar_planner/native/guesses/goal_guesses.hpp"
 #include "planar_planner/native/guesses/rrt_connect.hpp"
 #include "planar_planner/native/search/channel.hpp"
@@ -46,10 +48,15 @@ Planner::Planner(Problem given, const Ablation& ablation) {
                                          ablation.partition);
   labeller_ = std::make_unique<Labeller>(problem_.robot, *tree_, statistics_, ablation);
   segments_ = std::make_unique<SegmentTest>(problem_, *labeller_, statistics_);
+  prepare_about_body(ablation);
 }
 
 Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits& limits,
                       const Listener& listener) {
+  by_body_ = false;
+  const auto* const place = std::get_if<Configuration>(&goal);
+  if (about_body_ && place != nullptr)
+    if (auto answer = solve_about_body(start, *place, limits, listener)) return std::move(*answer);
   std::optional<GoalRegion> region;
   if (const auto* const set = std::get_if<GoalSet>(&goal)) region.emplace(problem_, *set);
   LimitWatch watch(limits, listener);
@@ -185,6 +192,7 @@ bool Planner::disc_answer(Query& query, const Goal& goal, const Listener& listen
     if (auto discs = disc_problems(problem_)) {
       disc_round_ = std::make_unique<Planner>(std::move(discs->round), problem_.ablation);
       disc_inside_ = std::make_unique<Planner>(std::move(discs->inside), problem_.ablation);
+      disc_round_->end_error_ = disc_inside_->end_error_ = end_error_;
     }
   }
   if (!disc_round_) return false;
@@ -240,7 +248,11 @@ void Planner::subdivide(Query& query) {
 
 // Every leaf that the exact configuration can lie in.
 std::vector<CellId> Planner::leaves_of(const Configuration& q) const {
-  return subdivision_->leaves_near(dyadic_point(problem_, q), kDyadicSlack);
+  const double error = std::ldexp(end_error_, problem_.frame.exponent) /
+                       std::min(problem_.domain.size.x, problem_.domain.size.y);
+  const double units = std::ldexp(std::min(error, 1.0), static_cast<int>(kCoordinateBits) + 1);
+  return subdivision_->leaves_near(dyadic_point(problem_, q),
+                                   kDyadicSlack + static_cast<std::uint64_t>(units));
 }
 
 // Every leaf that may hold a goal.
@@ -306,6 +318,7 @@ void Planner::remember(const Query& query, const Configuration& start, const Goa
 }
 
 Evidence Planner::evidence() {
+  if (by_body_ && last_.verdict == Verdict::kNoPath) return about_body_->evidence();
   Evidence out;
   if (last_.verdict == Verdict::kPath) {
     out.waypoints = last_.waypoints;
@@ -339,6 +352,11 @@ double Planner::least_clearance() {
 
 Crossing Planner::thinnest_wall() {
   if (last_.verdict != Verdict::kNoPath) return {};
+  if (by_body_) {
+    Crossing crossing = about_body_->thinnest_wall();
+    for (Configuration& q : crossing.way) q = placed_back(point_, q);
+    return crossing;
+  }
   if (last_.decided_by == DecidedBy::kDisc) return disc_inside_->thinnest_wall();
   if (last_.decided_by != DecidedBy::kSeparation) return {};
   return find_thinnest_wall(problem_, *subdivision_, leaves_of(last_.start),
@@ -347,6 +365,7 @@ Crossing Planner::thinnest_wall() {
 }
 
 CellTable Planner::cells() const {
+  if (by_body_) return about_body_->cells();
   return subdivision_ ? tabulate(problem_, *subdivision_) : CellTable{};
 }
 

@@ -22,6 +22,7 @@ FROM, TO, APART = "from", "to", "apart"
 CLAIM = "claim"
 DOMAIN, LOW, SIZE = "domain", "low", "size"
 START_SIDE, FULL, FULL_FACES = "start_side", "full", "full_faces"
+REFERENCE = "reference"
 DISC, INSIDE = "disc", "inside"
 END, REFERENCE_BOUNDS = "end", "reference_bounds"
 

@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from planar_planner import certificate_keys as keys
 from planar_planner.checker.arithmetic import Ring, dot
-from planar_planner.checker.case import Case, Pose
+from planar_planner.checker.case import Case
 from planar_planner.checker.collisions import check_full
 from planar_planner.checker.demands import demand, find
 from planar_planner.checker.extents import Extent
@@ -33,11 +33,11 @@ def check_disc(case: Case, proof: DiscProof) -> int:
         robot={"0": [proof.disc]},
         pieces=case.pieces._replace(robot={"0": [disc]}),
         turning=False,
-        start=Pose(case.start.translation, 0.0),
+        start=case.start._replace(theta=0.0),
         goal=(
             GoalArea(goal.polygons, None)
             if isinstance(goal, GoalArea)
-            else Pose(goal.translation, 0.0)
+            else goal._replace(theta=0.0)
         ),
     )
     return check_separation(smaller, proof.separation)
