@@ -14,6 +14,7 @@
 #include "planar_planner/native/search/goal_cells.hpp"
 #include "planar_planner/native/search/search.hpp"
 #include "planar_planner/native/world/disc.hpp"
+#include "reference_path.hpp"
 #include "tuning.hpp"
 
 namespace planner {
@@ -347,6 +348,9 @@ Evidence Planner::evidence() {
 
 double Planner::least_clearance() {
   if (last_.verdict != Verdict::kPath) return 0.0;
+  if (by_body_)
+    return reference_path_clearance(about_body_->problem_, *about_body_->tree_, point_,
+                                    last_.waypoints);
   return path_clearance(problem_, *tree_, last_.waypoints);
 }
 

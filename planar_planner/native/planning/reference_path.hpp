@@ -24,4 +24,9 @@ std::optional<std::vector<Configuration>> reference_path(const ScaledProblem& ab
                                                          const Configuration& goal,
                                                          const Terminator& stop);
 
+// Certified lower bound of the clearance along such waypoints, user's units. It is less than what
+// `path_clearance` finds by at most the part of the room that reference_path lets arcs take up.
+double reference_path_clearance(const ScaledProblem& about_body, ObstacleTree& tree, Vec2 point,
+                                const std::vector<Configuration>& waypoints);
+
 }  // namespace planner

@@ -35,10 +35,10 @@ inline constexpr int kProbePaths = 16;
 // begun: one that must fail costs more than these looks. Chosen: the eighths.
 inline constexpr std::array<double, 7> kGlances = {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};
 
-// The way of a far reference point: of the room at its middle the part that a segment's deviation
-// may take up before the segment is halved instead, how often one is halved, and how many waypoints
-// there may be. Chosen, not tuned: half the room makes fewer waypoints, but evidence that has to
-// halve them again.
+// The way of a far reference point: the part of the body's room along a segment that the arc's
+// deviation may take up before the segment is halved instead, how often one is halved, and how many
+// waypoints there may be. Chosen, not tuned: half the room makes fewer waypoints, but evidence that
+// has to halve them again, and a smaller bound of the clearance.
 inline constexpr double kReferenceRoom = 0.25;
 inline constexpr int kDeepestReferencePart = 40;
 inline constexpr std::size_t kMostReferenceWaypoints = std::size_t{1} << 16U;

@@ -86,7 +86,7 @@ class Case:
     start: Pose
     goal: Pose | GoalArea
     pieces: Pieces
-    reference: Vector
+    reference: Vector = (0, 0)
 
     def in_bounds(self, translation: Vector) -> bool:
         """Whether the reference point is within its bounds."""
