@@ -242,16 +242,19 @@ NamedEvidence evidence(planner::Planner& planner) {
   NamedEvidence out;
   out.kind = e.kind;
   if (e.kind == planner::ClaimKind::kNone) return out;
-  const planner::ScaledProblem& robot = planner.problem();
+  const bool absent =
+      e.kind == planner::ClaimKind::kDisc || e.kind == planner::ClaimKind::kSeparation;
+  const planner::Planner& by = absent ? planner.planned_by() : planner;
+  if (&by != &planner) out.reference = point(planner.planned_point());
+  const planner::ScaledProblem& robot = by.problem();
   const planner::ScaledProblem& asked =
-      e.kind == planner::ClaimKind::kDisc ? planner.disc_inside().problem() : robot;
+      e.kind == planner::ClaimKind::kDisc ? by.disc_inside().problem() : robot;
   add_pieces(robot, asked, e, out);
   if (e.kind == planner::ClaimKind::kPath) add_path(e, out);
   if (e.kind == planner::ClaimKind::kOddChain) add_chain(e, out);
   if (e.kind == planner::ClaimKind::kEnd) add_end(e, out);
   if (e.kind == planner::ClaimKind::kDisc) add_disc(robot, asked, e, out);
-  if (e.kind == planner::ClaimKind::kDisc || e.kind == planner::ClaimKind::kSeparation)
-    add_barrier(asked, e, out);
+  if (absent) add_barrier(asked, e, out);
   return out;
 }
 
@@ -272,6 +275,7 @@ void add_evidence(nb::module_& m) {
       .def_ro("exponent", &NamedDomain::exponent);
   nb::class_<NamedEvidence>(m, "NamedEvidence")
       .def_ro("kind", &NamedEvidence::kind)
+      .def_ro("reference", &NamedEvidence::reference)
       .def_ro("robot_pieces", &NamedEvidence::robot_pieces)
       .def_ro("obstacle_pieces", &NamedEvidence::obstacle_pieces)
       .def_ro("outside", &NamedEvidence::outside)

@@ -91,6 +91,9 @@ struct NamedDomain {
 
 struct NamedEvidence {
   planner::ClaimKind kind = planner::ClaimKind::kNone;
+  // kSeparation, kDisc: the point of the robot's frame that translations and the robot's pieces are
+  // about, if it is not the origin.
+  std::optional<Point> reference;
   std::vector<NamedPolygon> robot_pieces, obstacle_pieces;
   std::optional<std::array<double, 4>> outside;  // of a polygonal workspace: the frame around it
   // kPath

@@ -62,6 +62,22 @@ struct SeparatingEdges::Part {
   Box whole;
 };
 
+namespace {
+
+// Half-extents of a box about R(theta_c) a + t_c that holds vertex a during the motion: the better
+// of two bounds along each axis, one of the translation and the turn by themselves, and one of
+// their sum, whose second-order term is at most |a| h^2 / 2 (docs/certificate.md).
+Vec2 sway_of(const Vec2 a, const Vec2 turned, const pdg::Motion& m) {
+  const double length = std::abs(a.x) + std::abs(a.y);
+  const double alone = m.half_angle * length;
+  const double second = 0.5 * m.half_angle * m.half_angle * length;
+  const Vec2 by{std::abs(m.g1.x - m.turn * turned.y), std::abs(m.g1.y + m.turn * turned.x)};
+  return {std::min(std::abs(m.g1.x) + alone, by.x + second),
+          std::min(std::abs(m.g1.y) + alone, by.y + second)};
+}
+
+}  // namespace
+
 double box_margin(const ScaledProblem& problem, const Vec2 low, const Vec2 high) {
   const double farthest = std::max(std::max(std::abs(low.x), std::abs(high.x)),
                                    std::max(std::abs(low.y), std::abs(high.y)));
@@ -71,12 +87,17 @@ double box_margin(const ScaledProblem& problem, const Vec2 low, const Vec2 high)
 
 SweptBox swept_box(const ScaledProblem& problem, const ScaledConfiguration& from,
                    const ScaledConfiguration& to) {
-  // A vertex's box on a part of the segment reaches |delta| (|a_x| + |a_y|) beyond its middle
-  // place.
-  const double half_angle = 0.5 * std::abs(to.theta - from.theta);
-  const double reach = problem.robot.reach * (1.0 + std::numbers::sqrt2 * half_angle);
-  return {{std::min(from.t.x, to.t.x) - reach, std::min(from.t.y, to.t.y) - reach},
-          {std::max(from.t.x, to.t.x) + reach, std::max(from.t.y, to.t.y) + reach}};
+  const pdg::Motion m = motion_along(problem, from, to, {0.0, 1.0});
+  const pdg::Rotation rotation = rotation_at(between(from, to, 0.5).theta);
+  SweptBox box{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  for (const pdg::Edge& edge : problem.robot.pieces.back().edges) {
+    const Vec2 turned = pdg::rotate(rotation, edge.vertex);
+    const Vec2 by = sway_of(edge.vertex, turned, m);
+    const Vec2 p = turned + m.t;
+    box.low = {std::min(box.low.x, p.x - by.x), std::min(box.low.y, p.y - by.y)};
+    box.high = {std::max(box.high.x, p.x + by.x), std::max(box.high.y, p.y + by.y)};
+  }
+  return box;
 }
 
 std::optional<std::vector<ProvenInterval>> SeparatingEdges::prove(const ScaledConfiguration& from,
@@ -116,10 +137,8 @@ bool SeparatingEdges::prove_part(const Interval interval, const std::vector<std:
     const pdg::PosedPiece a = posed_.piece(i);
     Box box{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (std::size_t k = 0; k < a.vertices.size(); ++k) {
-      const Vec2 v = a.piece->edges[k].vertex;
-      const double e = m.half_angle * (std::abs(v.x) + std::abs(v.y));
       const Vec2 p = a.vertices[k] + m.t;
-      const Vec2 by{std::abs(m.g1.x) + e, std::abs(m.g1.y) + e};
+      const Vec2 by = sway_of(a.piece->edges[k].vertex, a.vertices[k], m);
       box.low = {std::min(box.low.x, p.x - by.x), std::min(box.low.y, p.y - by.y)};
       box.high = {std::max(box.high.x, p.x + by.x), std::max(box.high.y, p.y + by.y)};
     }

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "limit_watch.hpp"
 #include "planar_planner/native/cells/census.hpp"
+#include "planar_planner/native/configurations/reference_point.hpp"
 #include "planar_planner/native/evidence/layer_evidence.hpp"
 #include "planar_planner/native/guesses/goal_guesses.hpp"
 #include "planar_planner/native/guesses/rrt_connect.hpp"
@@ -13,6 +15,7 @@
 #include "planar_planner/native/search/goal_cells.hpp"
 #include "planar_planner/native/search/search.hpp"
 #include "planar_planner/native/world/disc.hpp"
+#include "reference_path.hpp"
 #include "tuning.hpp"
 
 namespace planner {
@@ -47,10 +50,16 @@ Planner::Planner(Problem given, const Ablation& ablation) {
                                          ablation.partition);
   labeller_ = std::make_unique<Labeller>(problem_.robot, *tree_, statistics_, ablation);
   segments_ = std::make_unique<SegmentTest>(problem_, *labeller_, statistics_);
+  prepare_about_body(ablation);
 }
 
 Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits& limits,
                       const Listener& listener) {
+  by_body_ = false;
+  layer_.reset();
+  const auto* const place = std::get_if<Configuration>(&goal);
+  if (about_body_ && place != nullptr)
+    if (auto answer = solve_about_body(start, *place, limits, listener)) return std::move(*answer);
   std::optional<GoalRegion> region;
   if (const auto* const set = std::get_if<GoalSet>(&goal)) region.emplace(problem_, *set);
   LimitWatch watch(limits, listener);
@@ -63,7 +72,6 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   CollisionHint hint(problem_, *tree_);
-  layer_.reset();
   if (!contact_answer(query, start, goal) && !ends_not_free(query) &&
       (query.in_contact || !guess(query, hint, goal, listener)) &&
       !small_subdivision(query, start, goal))
@@ -237,6 +245,7 @@ bool Planner::disc_answer(Query& query, const Goal& goal, const Listener& listen
     if (auto discs = disc_problems(problem_)) {
       disc_round_ = std::make_unique<Planner>(std::move(discs->round), problem_.ablation);
       disc_inside_ = std::make_unique<Planner>(std::move(discs->inside), problem_.ablation);
+      disc_round_->end_error_ = disc_inside_->end_error_ = end_error_;
     }
   }
   if (!disc_round_) return false;
@@ -292,7 +301,11 @@ void Planner::subdivide(Query& query) {
 
 // Every leaf that the exact configuration can lie in.
 std::vector<CellId> Planner::leaves_of(const Configuration& q) const {
-  return subdivision_->leaves_near(dyadic_point(problem_, q), kDyadicSlack);
+  const double error = std::ldexp(end_error_, problem_.frame.exponent) /
+                       std::min(problem_.domain.size.x, problem_.domain.size.y);
+  const double units = std::ldexp(std::min(error, 1.0), static_cast<int>(kCoordinateBits) + 1);
+  return subdivision_->leaves_near(dyadic_point(problem_, q),
+                                   kDyadicSlack + static_cast<std::uint64_t>(units));
 }
 
 // Every leaf that may hold a goal.
@@ -361,6 +374,7 @@ Evidence Planner::evidence() {
   if (layer_)
     return layer_->chain.empty() ? path_evidence(problem_, layer_->layer, layer_->waypoints)
                                  : chain_evidence(layer_->layer, layer_->chain);
+  if (by_body_ && last_.verdict == Verdict::kNoPath) return about_body_->evidence();
   Evidence out;
   if (last_.verdict == Verdict::kPath) {
     out.waypoints = last_.waypoints;
@@ -389,11 +403,19 @@ Evidence Planner::evidence() {
 
 double Planner::least_clearance() {
   if (last_.verdict != Verdict::kPath || layer_) return 0.0;
+  if (by_body_)
+    return reference_path_clearance(about_body_->problem_, *about_body_->tree_, point_,
+                                    last_.waypoints);
   return path_clearance(problem_, *tree_, last_.waypoints);
 }
 
 Crossing Planner::thinnest_wall() {
   if (last_.verdict != Verdict::kNoPath) return {};
+  if (by_body_) {
+    Crossing crossing = about_body_->thinnest_wall();
+    for (Configuration& q : crossing.way) q = placed_back(point_, q);
+    return crossing;
+  }
   if (last_.decided_by == DecidedBy::kDisc) return disc_inside_->thinnest_wall();
   if (last_.decided_by != DecidedBy::kSeparation) return {};
   return find_thinnest_wall(problem_, *subdivision_, leaves_of(last_.start),
@@ -402,6 +424,7 @@ Crossing Planner::thinnest_wall() {
 }
 
 CellTable Planner::cells() const {
+  if (by_body_) return about_body_->cells();
   return subdivision_ ? tabulate(problem_, *subdivision_) : CellTable{};
 }
 

@@ -54,11 +54,23 @@ class Planner {
   [[nodiscard]] CellTable cells() const;
   // The disc that stood for the robot (ClaimKind::kDisc).
   [[nodiscard]] const Planner& disc_inside() const { return *disc_inside_; }
+  // Whose cells the last query's are, and its separation: this planner, or the one about a point of
+  // the body. A path is always of the robot's own frame.
+  [[nodiscard]] const Planner& planned_by() const { return by_body_ ? *about_body_ : *this; }
+  // That point, in the robot's frame; the origin for this planner itself.
+  [[nodiscard]] Vec2 planned_point() const { return by_body_ ? point_ : Vec2{}; }
 
  private:
   static constexpr std::uint64_t kNoPause = UINT64_MAX;
 
   bool contact_answer(Query& query, const Configuration& start, const Goal& goal);
+  // about_body.cpp
+  void prepare_about_body(const Ablation& ablation);
+  std::optional<Answer> solve_about_body(const Configuration& start, const Configuration& goal,
+                                         const Limits& limits, const Listener& listener);
+  bool take_over(Query& query, const Configuration& start, const Configuration& goal);
+  bool retrace(Query& query);
+
   bool ends_not_free(Query& query);
   bool guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener);
   bool small_subdivision(Query& query, const Configuration& start, const Goal& goal);
@@ -102,6 +114,11 @@ class Planner {
   std::unique_ptr<Planner> disc_round_, disc_inside_;
   bool disc_prepared_ = false;
   std::uint64_t pause_ = kNoPause;  // cells at which the search stops for the exact decision
+  double end_error_ = 0.0;  // the ends asked may be off the exact ones by so much; user's units
+  // The same problem about a point of the body, if the origin of the robot's frame is far from it.
+  std::unique_ptr<Planner> about_body_;
+  Vec2 point_;            // of the robot's frame
+  bool by_body_ = false;  // the last query was answered about it
 };
 
 }  // namespace planner

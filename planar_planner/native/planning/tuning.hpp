@@ -43,5 +43,12 @@ inline constexpr std::uint64_t kCellsBeforeLayer = 2000;
 // a tenth of a second.
 inline constexpr std::size_t kMostLayerSums = 100'000;
 inline constexpr std::size_t kMostLayerVertices = 1'000'000;
+// The way of a far reference point: the part of the body's room along a segment that the arc's
+// deviation may take up before the segment is halved instead, how often one is halved, and how many
+// waypoints there may be. Chosen, not tuned: half the room makes fewer waypoints, but evidence that
+// has to halve them again, and a smaller bound of the clearance.
+inline constexpr double kReferenceRoom = 0.25;
+inline constexpr int kDeepestReferencePart = 40;
+inline constexpr std::size_t kMostReferenceWaypoints = std::size_t{1} << 16U;
 
 }  // namespace planner

@@ -63,11 +63,11 @@ def check_disc(case: Case, proof: DiscProof) -> int:
         robot={"0": [proof.disc]},
         pieces=case.pieces._replace(robot={"0": [disc]}),
         turning=False,
-        start=Pose(case.start.translation, 0.0),
+        start=case.start._replace(theta=0.0),
         goal=(
             GoalArea(goal.polygons, None)
             if isinstance(goal, GoalArea)
-            else Pose(goal.translation, 0.0)
+            else goal._replace(theta=0.0)
         ),
     )
     return check_separation(smaller, proof.separation)

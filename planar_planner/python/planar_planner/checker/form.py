@@ -141,6 +141,7 @@ def _certificate(fields: Mapping[str, Any]) -> Certificate:
         fields[keys.ROBOT_PIECES],
         fields[keys.OBSTACLE_PIECES],
         fields.get(keys.OUTSIDE),
+        fields.get(keys.REFERENCE),
         _proof(fields),
     )
 
@@ -276,13 +277,16 @@ COMMON_FIELDS: Fields = {
 }
 OUTSIDE_FIELDS: Fields = {keys.OUTSIDE: tuple_of(_LENGTH, _LENGTH, _LENGTH, _LENGTH)}
 """What a certificate has besides if the workspace is a polygon."""
+REFERENCE_FIELDS: Fields = {keys.REFERENCE: _POINT}
+"""What a separation has besides if it is about another point of the robot than the origin."""
 
 _ENDS = (_PAIR_COLLISION, _WALL_COLLISION, BOUNDS_FIELDS)
+_ABSENCES = (SEPARATION_FIELDS, DISC_FIELDS)
 _PROOFS = (
     PATH_FIELDS,
-    SEPARATION_FIELDS,
-    DISC_FIELDS,
+    *_ABSENCES,
     CHAIN_FIELDS,
+    *({**absence, **REFERENCE_FIELDS} for absence in _ABSENCES),
     *({**END_FIELDS, **e} for e in _ENDS),
 )
 _CERTIFICATE = object_of(

@@ -202,16 +202,29 @@ def make_motion(a: Waypoint, b: Waypoint, begin: int, end: int) -> Motion:
 
 
 def swept_box(vertices: Iterable[Vector], motion: Motion) -> Rectangle:
-    """Return a box that holds the vertices during a motion."""
-    (tx, ty), (gx, gy), (c, s), _ = motion
+    """Return a box that holds the vertices during a motion.
+
+    A vertex a stays within its place in the middle ± (|g| + |a| |ω|) along either axis, and within
+    ± (|g + ω (R a)^⊥| + |a| ω²/2): the better of both counts.
+    """
+    (tx, ty), (gx, gy), (c, s), omega = motion
     most = motion.most_turn()
     corners = []
     for x, y in vertices:
-        u, v, e = x * c - y * s, x * s + y * c, (abs(x) + abs(y)) * (most + 1)
-        corners += [(u - e, v - e), (u + e, v + e)]
+        u, v, length = x * c - y * s, x * s + y * c, abs(x) + abs(y)
+        alone = length * most
+        # Beside ω²/2: u and v are off by the length, ω is by 2, the shifts by 1 each.
+        second = (length * most**2 >> ROTATION_BITS + 1) + (alone >> ROTATION_BITS) + 2 * length + 4
+        dx, dy = (
+            min((abs(g) << ROTATION_BITS) + alone, abs((g << ROTATION_BITS) + turn) + second)
+            for g, turn in (
+                (gx, -(v * omega >> ROTATION_BITS)),
+                (gy, u * omega >> ROTATION_BITS),
+            )
+        )
+        corners += [(u - dx - length, v - dy - length), (u + dx + length, v + dy + length)]
     xmin, ymin, xmax, ymax = (side >> ROTATION_BITS for side in bounding_box(corners))
-    gx, gy = abs(gx) + 3, abs(gy) + 3  # for what is rounded
-    return xmin + tx - gx, ymin + ty - gy, xmax + tx + gx, ymax + ty + gy
+    return xmin + tx - 3, ymin + ty - 3, xmax + tx + 3, ymax + ty + 3  # for t, g and the shift
 
 
 def stays_outside(edge: Edge, vertex: Vector, motion: Motion) -> bool:

@@ -155,4 +155,5 @@ class Certificate(NamedTuple):
     robot_pieces: Pieces
     obstacle_pieces: Pieces
     outside: Rectangle | None
+    reference: Vector | None  # the point of the robot that the proof is about; None: the origin
     proof: Proof

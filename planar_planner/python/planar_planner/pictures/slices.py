@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
 
+from planar_planner.explain.about_point import about_point, path_of_point
 from planar_planner.explain.cells import LABEL_COLOURS, LABELS, Cells, theta_slice
 from planar_planner.load import SceneLike, load_scene
 from planar_planner.pictures.panels import label_outer, panel_figure
@@ -61,6 +62,7 @@ def draw_slices(
     path = np.empty((0, 3)) if result is None else result.path
     if len(path):
         problem = with_query(problem, path[0], path[-1])
+    problem, path = about_point(problem, cells.point), path_of_point(path, cells.point)
     angles = default_thetas(problem, path) if thetas is None else [float(theta) for theta in thetas]
     if not len(cells):
         raise ValueError("there are no cells to slice")

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from planar_planner.explain.about_point import about_point, path_of_point
 from planar_planner.explain.cells import FREE, FULL, LABEL_COLOURS, LABELS, MIXED, STAR, Cells
 from planar_planner.load import SceneLike, load_scene
 from planar_planner.pictures.boxes3d import draw_boxes, draw_end_points, draw_path, space_axes
@@ -59,6 +60,7 @@ def draw_space(
     path = np.empty((0, 3)) if result is None else result.path
     if len(path):
         problem = with_query(problem, path[0], path[-1])
+    problem, path = about_point(problem, cells.point), path_of_point(path, cells.point)
     low, high = cells.lower.min(axis=0), cells.upper.max(axis=0)
     figure = new_figure(*SIZE)
     grid = figure.add_gridspec(2, 3, width_ratios=[2.1, 1, 1])

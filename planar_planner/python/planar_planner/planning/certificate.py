@@ -72,6 +72,8 @@ def make_certificate(
     }
     if evidence.outside is not None:
         certificate[keys.OUTSIDE] = evidence.outside
+    if evidence.reference is not None:
+        certificate[keys.REFERENCE] = evidence.reference
     if evidence.kind == ClaimKind.PATH:
         return certificate | _path(problem, evidence, contact_tolerance)
     if evidence.kind == ClaimKind.ODD_CHAIN:
