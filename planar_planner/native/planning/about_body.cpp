@@ -43,7 +43,10 @@ std::optional<Answer> Planner::solve_about_body(const Configuration& start,
   Query query(
       start, goal, nullptr, limits, [&] { return watch.elapsed(); },
       [&](const Usage& usage, const auto& progress) { return watch.check(usage, progress); });
-  if (ends_not_free(query) || query.in_contact) return std::nullopt;
+  if (ends_settle_it(query, start, goal) || query.in_contact) {
+    layer_.reset();
+    return std::nullopt;
+  }
   Planner& body = *about_body_;
   const double reach = std::max(std::max(std::abs(query.start.x), std::abs(query.start.y)),
                                 std::max(std::abs(query.goal.x), std::abs(query.goal.y)));

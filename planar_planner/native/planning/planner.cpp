@@ -72,7 +72,7 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   CollisionHint hint(problem_, *tree_);
-  if (!contact_answer(query, start, goal) && !ends_not_free(query) &&
+  if (!ends_settle_it(query, start, goal) &&
       (query.in_contact || !guess(query, hint, goal, listener)) &&
       !small_subdivision(query, start, goal))
     subdivide(query);
@@ -101,15 +101,6 @@ Answer Planner::solve_certified(const Configuration& start, const Goal& goal, co
   answer.statistics.path_turning = 0.0;
   answer.statistics.waypoints = 0;
   return answer;
-}
-
-// Rounded arithmetic tells no more of an end in contact; exact arithmetic does.
-bool Planner::contact_answer(Query& query, const Configuration& start, const Goal& goal) {
-  if (query.region != nullptr) return false;
-  const auto touches = [&](const Configuration& q) {
-    return placement(q).state == PlacementState::kContact;
-  };
-  return (touches(query.start) || touches(query.goal)) && layer_answer(query, start, goal);
 }
 
 // What is certified with rounding, before there are cells.
@@ -150,12 +141,14 @@ bool Planner::layer_answer(Query& query, const Configuration& start, const Goal&
 }
 
 // A colliding end has no path; one in contact is moved off by the contact tolerance, if it allows.
-bool Planner::ends_not_free(Query& query) {
+bool Planner::ends_settle_it(Query& query, const Configuration& start, const Goal& goal) {
   for (Configuration* const end : {&query.start, &query.goal}) {
     if (end == &query.goal && query.region != nullptr) break;
     const bool at_start = end == &query.start;
     const Placement p = placement(*end);
     if (p.state == PlacementState::kFree) continue;
+    // Rounded arithmetic tells no more of an end in contact; exact arithmetic may.
+    if (p.state == PlacementState::kContact && layer_answer(query, start, goal)) return true;
     if (p.state != PlacementState::kOutside && p.depth <= query.limits.contact_tolerance &&
         query.limits.contact_tolerance > 0.0) {
       if (const auto moved = lift_off(problem_, *segments_, *end, query.limits.contact_tolerance)) {

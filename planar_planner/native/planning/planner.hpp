@@ -63,7 +63,6 @@ class Planner {
  private:
   static constexpr std::uint64_t kNoPause = UINT64_MAX;
 
-  bool contact_answer(Query& query, const Configuration& start, const Goal& goal);
   // about_body.cpp
   void prepare_about_body(const Ablation& ablation);
   std::optional<Answer> solve_about_body(const Configuration& start, const Configuration& goal,
@@ -71,7 +70,7 @@ class Planner {
   bool take_over(Query& query, const Configuration& start, const Configuration& goal);
   bool retrace(Query& query);
 
-  bool ends_not_free(Query& query);
+  bool ends_settle_it(Query& query, const Configuration& start, const Goal& goal);
   bool guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener);
   bool small_subdivision(Query& query, const Configuration& start, const Goal& goal);
   void settle_resolution(Query& query, const Configuration& start, const Goal& goal);
