@@ -45,8 +45,10 @@ std::vector<PieceName> obstacle_names(const ObstacleTree& tree) {
   return names;
 }
 
-bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, Evidence& evidence) {
-  SeparatingEdges edges(problem, tree);
+bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, const double share,
+                      Evidence& evidence) {
+  evidence.segments.clear();
+  SeparatingEdges edges(problem, tree, share);
   for (std::size_t i = 0; i + 1 < evidence.waypoints.size(); ++i) {
     const ScaledConfiguration from = scaled(problem, evidence.waypoints[i]);
     const ScaledConfiguration to = scaled(problem, evidence.waypoints[i + 1]);

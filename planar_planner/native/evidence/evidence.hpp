@@ -50,8 +50,10 @@ struct Evidence {
 std::vector<PieceName> robot_names(const Robot& robot);
 std::vector<PieceName> obstacle_names(const ObstacleTree& tree);
 
-// Proves every segment of a certified path again, with its witnesses; false if one resists.
-bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, Evidence& evidence);
+// Proves every segment of a certified path again, with its witnesses; false if one resists. `share`
+// is that of SeparatingEdges.
+bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, double share,
+                      Evidence& evidence);
 // Obstacle polygons whose bounding box the robot's comes near on the way.
 void append_near_polygons(const ScaledProblem& problem, const ScaledConfiguration& from,
                           const ScaledConfiguration& to, std::vector<std::uint32_t>& out);

@@ -90,8 +90,14 @@ Answer Planner::solve_certified(const Configuration& start, const Goal& goal, co
   if (answer.verdict != Verdict::kPath || layer_) return answer;
   Evidence evidence;
   evidence.waypoints = last_.waypoints;
-  if (collect_segments(problem_, *tree_, evidence)) return answer;
-  last_ = {Verdict::kUndecided, std::nullopt, start, goal, {}};
+  for (const double share : {1.0, kClosestShare}) {
+    last_.share = share;
+    answer.to_be_checked = share < 1.0;
+    if (collect_segments(problem_, *tree_, share, evidence)) return answer;
+  }
+  answer.to_be_checked = false;
+  if (exact_instead(answer, start, goal)) return answer;
+  last_ = {Verdict::kUndecided, std::nullopt, start, goal, {}, 1.0};
   answer.verdict = Verdict::kUndecided;
   answer.stop_reason = StopReason::kNoEvidence;
   answer.ends_moved = false;
@@ -137,6 +143,23 @@ bool Planner::layer_answer(Query& query, const Configuration& start, const Goal&
   if (!layer_) return false;
   if (layer_->chain.empty()) return conclude_path(query, layer_->waypoints, DecidedBy::kTautPath);
   query.decide(Verdict::kNoPath, DecidedBy::kOddChain);
+  return true;
+}
+
+// A path in place of one whose evidence cannot be written: exactly, without turning.
+bool Planner::exact_instead(Answer& answer, const Configuration& start, const Goal& goal) {
+  const auto* const own = std::get_if<Configuration>(&goal);
+  if (own == nullptr || answer.ends_moved || !problem_.ablation.layers) return false;
+  layer_ = decide_in_layer(problem_, start, *own);
+  if (!layer_ || !layer_->chain.empty()) {
+    layer_.reset();
+    return false;
+  }
+  answer.path = report_path(layer_->waypoints);
+  answer.statistics.decided_by = DecidedBy::kTautPath;
+  answer.statistics.path_length = answer.path.length;
+  answer.statistics.path_turning = answer.path.turning;
+  answer.statistics.waypoints = answer.path.waypoints.size();
   return true;
 }
 
@@ -360,7 +383,7 @@ void Planner::complete_answer(Query& query) {
 
 void Planner::remember(const Query& query, const Configuration& start, const Goal& goal) {
   const Answer& answer = query.answer;
-  last_ = {answer.verdict, answer.statistics.decided_by, start, goal, answer.path.waypoints};
+  last_ = {answer.verdict, answer.statistics.decided_by, start, goal, answer.path.waypoints, 1.0};
 }
 
 Evidence Planner::evidence() {
@@ -371,7 +394,7 @@ Evidence Planner::evidence() {
   Evidence out;
   if (last_.verdict == Verdict::kPath) {
     out.waypoints = last_.waypoints;
-    if (collect_segments(problem_, *tree_, out)) out.kind = ClaimKind::kPath;
+    if (collect_segments(problem_, *tree_, last_.share, out)) out.kind = ClaimKind::kPath;
   } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == DecidedBy::kDisc) {
     out = disc_inside_->evidence();
     if (out.kind == ClaimKind::kSeparation) out.kind = ClaimKind::kDisc;

@@ -38,8 +38,9 @@ class Planner {
   Placement placement(const Configuration& q);
   Answer solve(const Configuration& start, const Goal& goal, const Limits& limits,
                const Listener& listener);
-  // The same, but a path whose evidence cannot be written is left undecided: its room is within the
-  // rounding of the evidence's bounds.
+  // The same, with a path for which evidence can be written. Where its room is within the bound of
+  // rounding, the evidence has to be checked exactly (Answer::to_be_checked); where even less is
+  // left, an exact path may take its place, or the query is left undecided.
   Answer solve_certified(const Configuration& start, const Goal& goal, const Limits& limits,
                          const Listener& listener);
   PathCheck check_path(std::vector<Configuration> path);
@@ -70,6 +71,7 @@ class Planner {
   bool take_over(Query& query, const Configuration& start, const Configuration& goal);
   bool retrace(Query& query);
 
+  bool exact_instead(Answer& answer, const Configuration& start, const Goal& goal);
   bool ends_settle_it(Query& query, const Configuration& start, const Goal& goal);
   bool guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener);
   bool small_subdivision(Query& query, const Configuration& start, const Goal& goal);
@@ -98,6 +100,7 @@ class Planner {
     Configuration start;
     Goal goal;
     std::vector<Configuration> waypoints;
+    double share = 1.0;  // of the rounding's bound, that its evidence keeps off
   };
 
   ScaledProblem problem_;

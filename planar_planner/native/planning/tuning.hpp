@@ -39,6 +39,10 @@ inline constexpr std::array<double, 7> kGlances = {0.5, 0.25, 0.75, 0.125, 0.375
 // that may not turn take fewer.
 inline constexpr std::uint64_t kCellsBeforeLayer = 2000;
 
+// Evidence may come so near to touching, as a part of the bound of rounding, if it is then checked
+// exactly. The rounding itself is far less than its bound. Chosen.
+inline constexpr double kClosestShare = 0.25;
+
 // The size of a layer that is decided exactly, in convex sums and in their vertices. Chosen: about
 // a tenth of a second.
 inline constexpr std::size_t kMostLayerSums = 100'000;

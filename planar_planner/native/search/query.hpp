@@ -20,6 +20,7 @@ struct Answer {
   std::optional<StopReason> stop_reason;  // kUndecided
   std::optional<StopReason> stopped_by;   // a limit or the listener, whatever the verdict
   bool ends_moved = false;                // off a contact, within the contact tolerance
+  bool to_be_checked = false;             // the evidence's room is within the rounding's bound
   PathReport path;                        // kPath
   Statistics statistics;
 };

@@ -20,7 +20,7 @@ from planar_planner.checker.separation import check_separation
 from planar_planner.errors import OptionsError
 from planar_planner.load import load_scene
 from planar_planner.problem.fingerprint import fingerprint
-from planar_planner.problem.make import make_problem
+from planar_planner.problem.make import Problem, make_problem
 from planar_planner.problem.rings import judged_by_geos
 from planar_planner.scene.model import Scene
 
@@ -83,6 +83,13 @@ def verify_certificate(
             f"contact_tolerance must be finite and not negative, not {contact_tolerance!r}"
         )
     problem = make_problem(scene if isinstance(scene, Scene) else load_scene(scene), judged_by_geos)
+    return verify_problem(problem, certificate, contact_tolerance)
+
+
+def verify_problem(
+    problem: Problem, certificate: Source, contact_tolerance: float = 0.0
+) -> Verification:
+    """Check a certificate against a problem, which is valid; see `verify_certificate`."""
     content = read_certificate(certificate)
     demand(content.scene == fingerprint(problem), keys.SCENE, "is not the one certified")
     return _checked(make_case(problem, content), content.proof, contact_tolerance)

@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 
 from planar_planner._core import Core, Statistics
-from planar_planner.errors import SceneError
+from planar_planner.checker.verify import verify_problem
+from planar_planner.errors import CertificateError, SceneError
 from planar_planner.explain.cells import Cells, make_cells
 from planar_planner.explain.thinnest_place import Bottleneck, make_bottleneck
 from planar_planner.load import SceneLike, load_scene
-from planar_planner.planning.certificate import make_certificate
+from planar_planner.planning.certificate import Certificate, make_certificate
 from planar_planner.planning.engine import Listener, ask, make_core
 from planar_planner.planning.options import Options
 from planar_planner.planning.outcome import STOPS, StopReason
@@ -218,14 +219,25 @@ class Planner:
             raise
         answer = ask(core, query, limits, listener)
         answer["stats"] = answer["stats"].replace(least_clearance=core.least_clearance())
-        evidence = core.evidence() if certificate else None
+        close = answer["to_be_checked"]
+        evidence = core.evidence() if certificate or close else None
         self._core = core
         if evidence is None:
             return make_result(query.name, answer, imported=query.imported)
         written = make_certificate(query, evidence, limits.contact_tolerance)
-        if written is None and answer["verdict"] != "undecided":
+        missing = written is None and answer["verdict"] != "undecided"
+        if missing or (close and not _holds(query, written, limits.contact_tolerance)):
             return _without_evidence(query, answer)
-        return make_result(query.name, answer, written, query.imported)
+        return make_result(query.name, answer, written if certificate else None, query.imported)
+
+
+def _holds(query: Problem, certificate: Certificate | None, contact_tolerance: float) -> bool:
+    """Whether the checker accepts a certificate whose room is within the bound of rounding."""
+    try:
+        verify_problem(query, certificate or {}, contact_tolerance)
+    except CertificateError:
+        return False
+    return True
 
 
 def _without_evidence(query: Problem, answer: Mapping[str, Any]) -> Result:
