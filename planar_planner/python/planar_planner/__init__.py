@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         OutputError,
         PlannerError,
         SceneError,
+        VerificationTimeoutError,
     )
     from planar_planner.explain.cells import Cells, cells_on_path, theta_slice
     from planar_planner.explain.thinnest_place import Bottleneck
@@ -52,6 +53,7 @@ _HOMES = {
     "Cells": "explain.cells",
     "CertificateError": "errors",
     "CertificateRejected": "errors",
+    "VerificationTimeoutError": "errors",
     "DecidedBy": "planning.outcome",
     "Escape": "scene.goal_forms",
     "GoalRegion": "scene.goal_forms",
@@ -113,6 +115,7 @@ __all__ = [
     "StopReason",
     "Undecided",
     "Verification",
+    "VerificationTimeoutError",
     "cells_on_path",
     "load_scene",
     "margin",

@@ -117,6 +117,7 @@ def check_segment(
     boxes = {q: bounding_box(polygon[0]) for q, polygon in case.obstacles.items()}
     near = {q: box for q, box in boxes.items() if not interiors_apart(everywhere, box)}
     for i, interval in enumerate(intervals):
+        case.deadline.check()
         motion = make_motion(*ends, interval.begin, interval.end)
         for wall, edge in case.walls.items():
             inside = all(

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from planar_planner import certificate_keys as keys
 from planar_planner.checker.absence import check_chain, check_disc, check_end
 from planar_planner.checker.case import Case, make_case
-from planar_planner.checker.demands import demand
+from planar_planner.checker.demands import NO_DEADLINE, Deadline, demand
 from planar_planner.checker.form import Source, read_certificate
 from planar_planner.checker.path import check_path
 from planar_planner.checker.records import ChainProof, DiscProof, PathProof, Proof, Separation
@@ -49,7 +49,10 @@ class Verification:
 
 
 def verify_certificate(
-    scene: Source | Scene, certificate: Source, contact_tolerance: float = 0.0
+    scene: Source | Scene,
+    certificate: Source,
+    contact_tolerance: float = 0.0,
+    timeout: float = math.inf,
 ) -> Verification:
     """Check a certificate against a scene, in exact arithmetic.
 
@@ -61,6 +64,8 @@ def verify_certificate(
         A file (docs/certificate.md), or its content.
     contact_tolerance : float, optional
         Length by which the ends of a path may be off start and goal, if the certificate says so.
+    timeout : float, optional
+        Seconds of the checks; reading is limited by the size of the file (docs/certificate.md).
 
     Returns
     -------
@@ -76,23 +81,31 @@ def verify_certificate(
     CertificateError
         If it cannot be read. `CertificateRejected` is one of these, so catch that first.
     OptionsError
-        If the contact tolerance is negative or not finite.
+        If the contact tolerance is negative or not finite, or the timeout is not positive.
+    VerificationTimeoutError
+        If the timeout is reached.
     """
     if not (contact_tolerance >= 0 and math.isfinite(contact_tolerance)):
         raise OptionsError(
             f"contact_tolerance must be finite and not negative, not {contact_tolerance!r}"
         )
+    if not timeout > 0:
+        raise OptionsError(f"timeout must be positive, not {timeout!r}")
+    deadline = Deadline(timeout)
     problem = make_problem(scene if isinstance(scene, Scene) else load_scene(scene), judged_by_geos)
-    return verify_problem(problem, certificate, contact_tolerance)
+    return verify_problem(problem, certificate, contact_tolerance, deadline)
 
 
 def verify_problem(
-    problem: Problem, certificate: Source, contact_tolerance: float = 0.0
+    problem: Problem,
+    certificate: Source,
+    contact_tolerance: float = 0.0,
+    deadline: Deadline = NO_DEADLINE,
 ) -> Verification:
     """Check a certificate against a problem, which is valid; see `verify_certificate`."""
     content = read_certificate(certificate)
     demand(content.scene == fingerprint(problem), keys.SCENE, "is not the one certified")
-    return _checked(make_case(problem, content), content.proof, contact_tolerance)
+    return _checked(make_case(problem, content, deadline), content.proof, contact_tolerance)
 
 
 def _checked(case: Case, proof: Proof, contact_tolerance: float) -> Verification:
