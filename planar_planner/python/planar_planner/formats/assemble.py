@@ -129,7 +129,7 @@ def _counted(parts: Parts, options: ImportOptions, notes: Notes) -> None:
     if not options.allow_empty:
         raise SceneError(
             "the file has no obstacles, and an answer in an empty plane says nothing about it; "
-            "--allow-empty takes it as it is" + notes.names_met()
+            "--allow-empty takes it as it is" + notes.names_met() + "; ".join(["", *notes.hints])
         )
     notes.say("WARNING: the file has no obstacles" + notes.names_met())
 

@@ -74,12 +74,14 @@ class Notes:
 
     `counts` holds changes that occur many times, `lines` those that occur once. `passed_over` is
     the number of things in the file that became nothing, and `unknown_names` are their names.
+    `hints` are those of the lines that name an option which makes more of the file.
     """
 
     counts: Counter[str] = field(default_factory=Counter)
     lines: list[str] = field(default_factory=list)
     passed_over: int = 0
     unknown_names: dict[str, None] = field(default_factory=dict)
+    hints: list[str] = field(default_factory=list)
 
     def count(self, what: str, times: int = 1) -> None:
         """Count `what`, which reads after a number: ``repeated vertices dropped``."""
@@ -96,6 +98,11 @@ class Notes:
         """Add a line once."""
         if line not in self.lines:
             self.lines.append(line)
+
+    def hint(self, line: str) -> None:
+        """Add a line that an error about an empty file repeats."""
+        self.say(line)
+        self.hints.append(line)
 
     def names_met(self) -> str:
         """Return a clause on the names that have no role; empty if there are none."""

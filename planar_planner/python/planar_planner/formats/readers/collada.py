@@ -45,10 +45,13 @@ class Mesh:
     corners : list of Point
         One point for each vertex as OMPL.app's importer counts them: a position with each of its
         normals and texture coordinates, once in each group of triangles that uses it.
+    units : str
+        A note on the file's unit and upward axis, and how they are used.
     """
 
     faces: list[Ring] = field(default_factory=list)
     nodes: list[str] = field(default_factory=list)
+    units: str = ""
     corners: list[Point] = field(default_factory=list)
 
 
@@ -69,6 +72,7 @@ def read_robot(data: bytes, path: Path, options: ImportOptions, notes: Notes) ->
 
 def centred(mesh: Mesh, notes: Notes) -> list[Shape]:
     """Return the region of a mesh in a frame with the mean of its vertices as origin."""
+    notes.say(mesh.units)
     count = len(mesh.corners)
     x0 = math.fsum(x for x, _ in mesh.corners) / count
     y0 = math.fsum(y for _, y in mesh.corners) / count
@@ -78,6 +82,7 @@ def centred(mesh: Mesh, notes: Notes) -> list[Shape]:
 
 def add_region(mesh: Mesh, parts: Parts, notes: Notes) -> None:
     """Add the region of a mesh in the file's own frame, with the names of its nodes."""
+    notes.say(mesh.units)
     for part in _united(mesh.faces, "world", notes):
         names = dict.fromkeys(mesh.nodes[k] for k in part.pieces)
         parts.add_obstacles(part.shapes, ", ".join(filter(None, names)))
@@ -103,7 +108,7 @@ def mesh_of(data: bytes) -> Mesh:
         If the file is not Collada, or something in it is missing, wrong or not supported.
     """
     document = Document(parse_xml(data, "COLLADA"))
-    mesh = Mesh()
+    mesh = Mesh(units=document.units())
     for node in document.roots():
         _add_node(document, node, document.base(), mesh, 0)
     if not mesh.faces:
@@ -133,6 +138,19 @@ class Document:
         unit = self.root.find("asset/unit")
         scale = _number(unit.get("meter", "1"), "asset/unit") if unit is not None else 1.0
         return np.diag([scale, scale, scale, 1.0]) @ _UPRIGHT[axis]
+
+    def units(self) -> str:
+        """Return a note on how `base` uses what the file states, or what it takes for granted."""
+        axis = (self.root.findtext("asset/up_axis") or "").strip()
+        unit = self.root.find("asset/unit")
+        metres = None if unit is None else unit.get("meter")
+        length = (
+            "the mesh states no unit, and lengths are taken for metres"
+            if metres is None
+            else f"the mesh's unit of {cut(metres)} metres is applied, so lengths are in metres"
+        )
+        upright = f"{cut(axis)} is turned to Y_UP" if axis not in ("", "Y_UP") else "y is upwards"
+        return f"{length}; {upright}, and faces are projected to the x–y plane"
 
     def roots(self) -> Iterator[ElementTree.Element]:
         """Yield the nodes of the scene."""

@@ -42,6 +42,11 @@ def parts_of(content: object, notes: Notes) -> Parts:
             raise SceneError("must be a list", "features", shown(features))
         places = [f"features[{i}]" for i in range(len(features))]
     parts = Parts(name=_text(members, "name"), description=_text(members, "description"))
+    if "crs" in members:
+        notes.say(
+            f"the coordinate system that the file states ({shown(members['crs'])}) is not used: "
+            "coordinates are taken as they are"
+        )
     parts.rotation = fields.truth(members.get("rotation", True), "rotation")
     for place, feature in zip(places, features, strict=True):
         _take(fields.mapping(feature, place), place, parts, notes)
@@ -63,7 +68,9 @@ def _take(feature: Mapping[str, object], place: str, parts: Parts, notes: Notes)
         properties = fields.mapping(given, f"{dot}properties") if given is not None else {}
         dot += "geometry."
     role = properties.get("role")
-    role = "obstacle" if role is None else role
+    if role is None:
+        role = "obstacle"
+        notes.count("features without a role taken as obstacles")
     where = dot.rstrip(".")
     if role not in ROLES:
         hint = fields.suggestion(role, ROLES) if isinstance(role, str) else ""

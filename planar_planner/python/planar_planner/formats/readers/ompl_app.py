@@ -6,7 +6,7 @@ import configparser
 from collections.abc import Mapping
 from pathlib import Path
 
-from planar_planner.errors import SceneError
+from planar_planner.errors import SceneError, cut
 from planar_planner.formats.parts import ImportOptions, Notes, Parts
 from planar_planner.formats.readers.collada import Mesh, add_region, centred, mesh_of
 from planar_planner.formats.reading import angle, coordinate, text_of
@@ -30,6 +30,9 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
     for key in _SPATIAL:
         if key in problem:
             raise SceneError("belongs to a problem in space; only planar ones are read", key)
+    others = [cut(repr(name)) for name in parser.sections() if name != "problem"]
+    if others:
+        notes.say(f"sections without a part in the problem ignored: {', '.join(others)}")
     parts = Parts(name=problem.get("name", ""))
     add_region(_mesh(problem, "world", path), parts, notes)
     if options.robot is None and options.footprint is None:

@@ -55,8 +55,8 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
     parts.workspace = [place.ring([(0, 0), (columns, 0), (columns, rows), (0, rows)])]
     kinds = "occupied and unknown" if options.unknown else "occupied"
     notes.say(
-        f"{int(occupied.sum())} {kinds} cells of {columns} × {rows}, {place.resolution!r} wide, "
-        f"make {len(parts.obstacles)} polygons; the workspace is the map's rectangle"
+        f"{int(occupied.sum())} {kinds} cells of {columns} × {rows}, {place.resolution!r} metres "
+        f"wide, make {len(parts.obstacles)} polygons; the workspace is the map's rectangle"
     )
     return parts
 
@@ -96,8 +96,12 @@ def occupied_cells(
         if mode == "scale" and image.alpha is not None:
             known = image.alpha == image.top
     cells = known & (share >= occupied_at if mode == "raw" else share > occupied_at)
+    doubtful = ~known | (share > free_at if mode == "raw" else share >= free_at)
+    left = 0 if unknown else int((doubtful & ~cells).sum())
+    if left:
+        notes.hint(f"{left} unknown cells are taken for free; --unknown makes them obstacles")
     if unknown:
-        cells |= ~known | (share > free_at if mode == "raw" else share >= free_at)
+        cells |= doubtful
     _say_rules(image, bool(np.isin(share, (occupied_at, free_at)).any()), mode, notes)
     return np.ascontiguousarray(cells[::-1])
 

@@ -35,7 +35,7 @@ _MOST = 10**6  # most obstacles of a case, and most vertices of an obstacle
 
 def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
     """Read a case."""
-    del path, options
+    del path
     values = re.split(r"[,;\s]+", text_of(data).strip(" ,;\t\r\n"))
     if len(values) < 7:
         found = len(values) if values[0] else 0
@@ -52,6 +52,11 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
     expected = 7 + count + 2 * sum(sizes)
     if len(values) != expected:
         raise SceneError(f"has {len(values)} values, but it announces {expected}")
+    if options.robot is None and options.footprint is None:
+        notes.say(
+            f"the robot is the competition's car, {_FRONT + REAR_OVERHANG!r} by {WIDTH!r} metres, "
+            "with the middle of its rear axle as reference point; its steering is not modelled"
+        )
     parts = Parts(robot=[CAR], start=start, goal=goal)
     at = 7 + count
     for k, size in enumerate(sizes):

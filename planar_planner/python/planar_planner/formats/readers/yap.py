@@ -100,7 +100,7 @@ def _environment(rings: list[tuple[str, Ring]], notes: Notes) -> Parts:
         polygons_of([ring], place, Notes())  # a ring that crosses itself has no direction
         clean = without_repeats(ring)
         if len(set(clean)) < MIN_RING:
-            notes.count("rings without area dropped")
+            notes.pass_over("rings without area dropped")
         elif is_anticlockwise(clean):
             solid.append((place, [ring]))
         else:
