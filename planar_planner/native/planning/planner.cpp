@@ -10,7 +10,6 @@
 #include "planar_planner/native/configurations/reference_point.hpp"
 #include "planar_planner/native/evidence/layer_evidence.hpp"
 #include "planar_planner/native/guesses/goal_guesses.hpp"
-#include "planar_planner/native/guesses/rrt_connect.hpp"
 #include "planar_planner/native/search/channel.hpp"
 #include "planar_planner/native/search/goal_cells.hpp"
 #include "planar_planner/native/search/search.hpp"
@@ -72,10 +71,11 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   CollisionHint hint(problem_, *tree_);
+  std::optional<FirstTry> first_try;
   if (!ends_settle_it(query, start, goal) &&
-      (query.in_contact || !guess(query, hint, goal, listener)) &&
-      !small_subdivision(query, start, goal))
-    subdivide(query);
+      (query.in_contact || !guess(query, hint, goal, listener, first_try)) &&
+      !small_subdivision(query, start, goal, first_try ? &*first_try : nullptr))
+    subdivide(query, first_try ? &*first_try : nullptr);
   if (query.answer.stop_reason == StopReason::kResolution) settle_resolution(query, start, goal);
   confirm_absence(query, start, goal);
   remember(query, start, goal);
@@ -113,16 +113,17 @@ Answer Planner::solve_certified(const Configuration& start, const Goal& goal, co
 bool Planner::guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener) {
   const Ablation& parts = problem_.ablation;
   return (parts.cheap && (cheap_move(query, hint) || disc_answer(query, goal, listener))) ||
-         (parts.probe && probe(query, hint));
+         (parts.probe && probe(query, hint, first_try));
 }
 
 // A few cells first, which tell most scenes and show where a way is shut; then the exact decision,
 // which costs no more in scenes where everything fits exactly; all cells only after that.
-bool Planner::small_subdivision(Query& query, const Configuration& start, const Goal& goal) {
+bool Planner::small_subdivision(Query& query, const Configuration& start, const Goal& goal,
+                                FirstTry* const first_try) {
   if (problem_.rotation || !problem_.ablation.layers || query.limits.max_cells <= kCellsBeforeLayer)
     return false;
   pause_ = kCellsBeforeLayer;
-  subdivide(query);
+  subdivide(query, first_try);
   pause_ = kNoPause;
   if (query.stopped_by != StopReason::kMaxCells) return true;
   query.stopped_by.reset();
@@ -225,35 +226,21 @@ bool Planner::conclude_path(Query& query, std::vector<Configuration> path, const
   return true;
 }
 
-// Two random trees, of whose path only its certificate is believed.
-bool Planner::probe(Query& query, CollisionHint& hint) {
+// The first try; it goes on beside the cells if it has not found a path by itself.
+bool Planner::probe(Query& query, CollisionHint& hint, std::optional<FirstTry>& first_try) {
   const Terminator stop = [&] { return query.clock() >= query.limits.timeout; };
-  const std::uint64_t calls_before = hint.calls();
   const std::vector<Configuration> goals =
       query.region == nullptr ? std::vector{query.goal}
                               : free_goals(*query.region, hint, problem_, query.start);
   if (goals.empty()) return false;
-  const std::size_t obstacles = all_obstacles(problem_).size();
-  const RrtConnect::Budget budget{
-      std::min(kProbeChecks + kProbeChecksPerObstacle * obstacles, kMostProbeChecks),
-      std::min(kProbeWork + kProbeWorkPerObstacle * obstacles, kMostProbeWork) + hint.work()};
-  RrtConnect trees(problem_, hint, budget, query.start, goals);
-  const std::uint64_t by_discs = statistics_.probe_checks;
-  double spacing = kProbeSpacing * problem_.robot.reach;
-  for (int paths = 0; paths < kProbePaths; ++paths, spacing *= kFinerSpacing) {
-    std::vector<Configuration> path;
-    {
-      const Stopwatch watch(query.clock, statistics_.seconds.probe);
-      path = trees.find(spacing, stop);
-      statistics_.probe_checks = by_discs + hint.calls() - calls_before;
-    }
-    if (path.empty()) return false;
-    const Stopwatch watch(query.clock, statistics_.seconds.path);
-    const auto bad = certify_shortened(problem_, *tree_, *segments_, hint, path, stop);
-    if (!bad) return conclude_path(query, std::move(path), DecidedBy::kFirstTry);
-    trees.reject(*bad);
-  }
-  return false;
+  first_try.emplace(problem_, *tree_, *segments_, hint, statistics_, query.clock, query.start,
+                    goals);
+  const std::uint64_t most = kTryWork + kTryWorkPerVertex * all_obstacles(problem_).points();
+  std::vector<Configuration> path;
+  while (path.empty() && first_try->work() < most && !stop() &&
+         (first_try->promising() || first_try->work() < kLeastTryWork))
+    path = first_try->go_on(std::min(kLeastTryWork, most - first_try->work()), stop);
+  return !path.empty() && conclude_path(query, std::move(path), DecidedBy::kFirstTry);
 }
 
 bool Planner::disc_answer(Query& query, const Goal& goal, const Listener& listener) {
@@ -310,9 +297,9 @@ void Planner::prepare_subdivision(const Query& query) {
   faces_ = std::make_unique<FaceTest>(*subdivision_, *labeller_, statistics_);
 }
 
-void Planner::subdivide(Query& query) {
+void Planner::subdivide(Query& query, FirstTry* const first_try) {
   prepare_subdivision(query);
-  Search(problem_, *tree_, *subdivision_, *faces_, *segments_, statistics_, query).run();
+  Search(problem_, *tree_, *subdivision_, *faces_, *segments_, statistics_, query, first_try).run();
 }
 
 // Every leaf that the exact configuration can lie in.

@@ -12,6 +12,7 @@
 #include "planar_planner/native/cells/subdivision.hpp"
 #include "planar_planner/native/evidence/evidence.hpp"
 #include "planar_planner/native/evidence/thinnest_wall.hpp"
+#include "planar_planner/native/guesses/first_try.hpp"
 #include "planar_planner/native/limits.hpp"
 #include "planar_planner/native/paths/collision.hpp"
 #include "planar_planner/native/paths/placement.hpp"
@@ -73,18 +74,20 @@ class Planner {
 
   bool exact_instead(Answer& answer, const Configuration& start, const Goal& goal);
   bool ends_settle_it(Query& query, const Configuration& start, const Goal& goal);
-  bool guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener);
-  bool small_subdivision(Query& query, const Configuration& start, const Goal& goal);
+  bool guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener,
+             std::optional<FirstTry>& first_try);
+  bool small_subdivision(Query& query, const Configuration& start, const Goal& goal,
+                         FirstTry* first_try);
   void settle_resolution(Query& query, const Configuration& start, const Goal& goal);
   bool cheap_move(Query& query, CollisionHint& hint);
   bool cheap_move_to(Query& query, CollisionHint& hint, const Configuration& goal,
                      const Terminator& stop);
-  bool probe(Query& query, CollisionHint& hint);
+  bool probe(Query& query, CollisionHint& hint, std::optional<FirstTry>& first_try);
   bool disc_answer(Query& query, const Goal& goal, const Listener& listener);
   Answer ask_disc(Planner& disc, Query& query, const Goal& goal, const Listener& listener);
   bool layer_answer(Query& query, const Configuration& start, const Goal& goal);
   bool conclude_path(Query& query, std::vector<Configuration> path, DecidedBy by);
-  void subdivide(Query& query);
+  void subdivide(Query& query, FirstTry* first_try);
   void prepare_subdivision(const Query& query);
   void complete_answer(Query& query);
   void remember(const Query& query, const Configuration& start, const Goal& goal);

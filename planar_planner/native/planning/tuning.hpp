@@ -12,24 +12,13 @@ namespace planner {
 // measurement is on record.
 inline constexpr std::uint64_t kDiscCells = 4000;
 
-// Configurations that the first try by trees may ask about, some tenths of a millisecond, and as
-// many more for every obstacle, as the cells that it may spare grow with their number too; and work
-// that each may cost where robot and obstacles have many edges, in units of CollisionHint::work.
-// What the first try costs and spares with these is measured in docs/method.md ("Alternatives,
-// and why not"); the single values were chosen.
-inline constexpr std::uint64_t kProbeChecks = 2500;
-inline constexpr std::uint64_t kProbeChecksPerObstacle = 5;
-inline constexpr std::uint64_t kMostProbeChecks = 20'000;
-inline constexpr std::uint64_t kProbeWork = 2'000'000;
-inline constexpr std::uint64_t kProbeWorkPerObstacle = 8'000;
-inline constexpr std::uint64_t kMostProbeWork = 20'000'000;
-
-// How far the tries' configurations are apart at first, relative to the robot's reach; by what
-// factor they come nearer after a path that could not be certified; and how many paths are tried.
-// Chosen; no measurement is on record.
-inline constexpr double kProbeSpacing = 0.25;
-inline constexpr double kFinerSpacing = 0.7;
-inline constexpr int kProbePaths = 16;
+// Work of the first try before there is a cell, and as much more for every vertex of an obstacle,
+// as the cells that it may spare cost more then too: the least that cells cost on 61 open scenes
+// and maps was half a microsecond a vertex. Trees that are shut in get the least. In nanoseconds on
+// one machine (guesses/tuning.hpp, kCheckWork).
+inline constexpr std::uint64_t kLeastTryWork = 350'000;
+inline constexpr std::uint64_t kTryWork = 500'000;
+inline constexpr std::uint64_t kTryWorkPerVertex = 400;
 
 // Configurations of each leg that are looked at, the middle first, before a certificate of it is
 // begun: one that must fail costs more than these looks. Chosen: the eighths.
