@@ -110,7 +110,8 @@ Answer Planner::solve_certified(const Configuration& start, const Goal& goal, co
 }
 
 // What is certified with rounding, before there are cells.
-bool Planner::guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener) {
+bool Planner::guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener,
+                    std::optional<FirstTry>& first_try) {
   const Ablation& parts = problem_.ablation;
   return (parts.cheap && (cheap_move(query, hint) || disc_answer(query, goal, listener))) ||
          (parts.probe && probe(query, hint, first_try));
