@@ -10,6 +10,7 @@ from typing import Any, Protocol, TypeAlias
 
 from planar_planner.errors import SceneError, shown
 from planar_planner.scene.plain import plain
+from planar_planner.scene.shapely_polygons import polygons_of_shapely
 
 
 class GeoObject(Protocol):
@@ -61,6 +62,9 @@ def geometries(value: Geometry | Sequence[Geometry], field: str) -> list[Any]:
     SceneError
         If the value or a part of it is of none of the forms; without a source.
     """
+    flat = polygons_of_shapely(value)
+    if flat is not None:
+        return flat
     found = plain(value, field)
     if isinstance(found, dict):
         return _members(found)
