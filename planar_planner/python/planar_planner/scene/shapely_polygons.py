@@ -30,10 +30,8 @@ def polygons_of_shapely(value: object) -> list[dict[str, Any]] | None:
         if coords.shape[1] != 2:  # of one with a height all would get one
             return None
         positions = coords.tolist()
-        starts = ring_starts.tolist()
-        rings = [positions[first:end] for first, end in zip(starts[:-1], starts[1:], strict=True)]
-        firsts = polygon_starts.tolist()
+        rings = [positions[first:end] for first, end in pairwise(ring_starts.tolist())]
         return [
             {"type": "Polygon", "coordinates": rings[first:end]}
-            for first, end in zip(firsts[:-1], firsts[1:], strict=True)
+            for first, end in pairwise(polygon_starts.tolist())
         ]
