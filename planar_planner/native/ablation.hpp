@@ -25,7 +25,9 @@ namespace planner {
   X(partition)   /* disjoint convex pieces; without: a cover of larger, overlapping ones */    \
   X(cheap)       /* straight and two-leg moves, and discs, before any subdivision */           \
   X(ridge)       /* paths along the ridge of the clearance; without: channels of cells only */ \
-  X(probe)       /* a first try by RRT-Connect, certified; without: cells only */
+  X(probe)       /* a first try by RRT-Connect, certified; without: cells only */              \
+  X(layers)      /* robots that may not turn, exactly; without: cells only */                  \
+  X(shift)       /* far reference points: plan about a point of the body */
 
 #define PLANNER_ENUMERATOR(enumerator, name) enumerator,
 enum class CullingQuery : std::uint8_t { PLANNER_CULLING_QUERIES(PLANNER_ENUMERATOR) };

@@ -40,6 +40,14 @@ inline constexpr double kDomainUnits = 8.0 * PDG_MARGIN_SCALE;
 // and its size: product and sum 1 each, frame 1, the sum that moves it outwards 1.
 inline constexpr double kCornerUnits = 4.0 * PDG_MARGIN_SCALE;
 
+// Where a point of the robot's frame is, in units of u times (|c|_1 + |x| + |y|, the larger of both
+// places'): each coordinate has sine and cosine 1, products 1, their sum 1 of |c|_1 and the last
+// sum 1 of the place; the distance is at most sqrt(2) times that, 4.3 and 1.5.
+inline constexpr double kTurnedPointUnits = 8.0 * PDG_MARGIN_SCALE;
+
+// Relative slack of |c| turn^2 / 8, in u: |c| 2, turn 1 and twice in the square, products 3.
+inline constexpr double kArcUnits = 16.0 * PDG_MARGIN_SCALE;
+
 // Relative slack of the discs that stand for a nearly round robot, in u: libm's cos (2), product
 // and radii (3).
 inline constexpr double kDiscUnits = 16.0;

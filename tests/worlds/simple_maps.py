@@ -8,9 +8,17 @@ from __future__ import annotations
 import copy
 import math
 from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import shapely
 
 from worlds.maps import mapped
-from worlds.scene import Scene
+from worlds.scene import Scene, plain
+
+GRID = 2.0**-24
+"""What the vertices of a robot are rounded to, so that moving the origin by multiples of it, up to
+2^28, is exact."""
 
 Change = Callable[[list[float]], list[float]]
 
@@ -65,3 +73,27 @@ def wound(scene: Scene) -> Scene:
     if scene.get("rotation", True):
         theta += 6.0 * math.pi
     return {**copy.deepcopy(scene), "goal": [x, y, theta]}
+
+
+def gridded(scene: Scene) -> Scene:
+    """Return the scene with its robot's vertices on the grid."""
+    robot = shapely.transform(
+        shapely.geometry.shape(scene["robot"]), lambda p: np.round(p / GRID) * GRID
+    )
+    return plain({**scene, "robot": shapely.geometry.mapping(robot)})
+
+
+def moved_origin(scene: Scene, by: tuple[float, float]) -> Scene:
+    """Return the same question with the robot's frame moved by -`by` against its body.
+
+    The body is the same exactly. Start and goal are where the body stands the same, up to rounding
+    at the magnitude of `by`. Scenes with reference bounds or a region would ask something else.
+    """
+    assert "reference_bounds" not in scene
+    robot = shapely.transform(shapely.geometry.shape(scene["robot"]), lambda p: p + np.array(by))
+    moved: dict[str, Any] = {**scene, "robot": shapely.geometry.mapping(robot)}
+    for end in ("start", "goal"):
+        x, y, theta = scene[end]
+        c, s = math.cos(theta), math.sin(theta)
+        moved[end] = [x - (c * by[0] - s * by[1]), y - (s * by[0] + c * by[1]), theta]
+    return plain(moved)

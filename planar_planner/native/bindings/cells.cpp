@@ -29,18 +29,19 @@ nb::object array_of(const std::vector<Row>& rows, const std::initializer_list<st
 
 }  // namespace
 
-nb::dict table_dict(const planner::CellTable& table) {
+nb::dict table_dict(const planner::CellTable& table, const planner::Vec2 point) {
   const std::size_t count = table.label.size();
   nb::dict out;
   out["lower"] = array_of<double>(table.lower, {count, 3});
   out["upper"] = array_of<double>(table.upper, {count, 3});
   out["level"] = array_of<std::uint8_t>(table.level, {count, 3});
   out["label"] = array_of<std::uint8_t>(table.label, {count});
+  out["point"] = nb::make_tuple(point.x, point.y);
   return out;
 }
 
 nb::dict cells(const planner::Planner& planner) {
-  return table_dict(planner.cells());
+  return table_dict(planner.cells(), planner.planned_point());
 }
 
 nb::dict thinnest_wall(planner::Planner& planner) {

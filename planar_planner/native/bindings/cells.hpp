@@ -8,8 +8,9 @@
 
 namespace bindings {
 
-// "lower", "upper", "level" and "label" of a table of cells.
-nanobind::dict table_dict(const planner::CellTable& table);
+// "lower", "upper", "level" and "label" of a table of cells, and "point", the point of the robot's
+// frame that they are of.
+nanobind::dict table_dict(const planner::CellTable& table, planner::Vec2 point);
 nanobind::dict cells(const planner::Planner& planner);
 // "way", "depth" and "deepest" of planner::Crossing.
 nanobind::dict thinnest_wall(planner::Planner& planner);

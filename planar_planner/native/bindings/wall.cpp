@@ -14,9 +14,9 @@ namespace {
 std::optional<planner::CellTable> wall_table(planner::Planner& planner) {
   const planner::Evidence found = planner.evidence();
   if (found.kind == planner::ClaimKind::kSeparation)
-    return planner::tabulate(planner.problem(), found.barrier);
+    return planner::tabulate(planner.planned_by().problem(), found.barrier);
   if (found.kind == planner::ClaimKind::kDisc)
-    return planner::tabulate(planner.disc_inside().problem(), found.barrier);
+    return planner::tabulate(planner.planned_by().disc_inside().problem(), found.barrier);
   return std::nullopt;
 }
 
@@ -32,7 +32,7 @@ std::optional<nb::dict> wall(planner::Planner& planner, const double theta) {
   if (!planner.problem().rotation)
     for (auto* const corners : {&table->lower, &table->upper})
       for (std::array<double, 3>& corner : *corners) corner[2] = theta;
-  return table_dict(*table);
+  return table_dict(*table, planner.planned_point());
 }
 
 }  // namespace bindings

@@ -136,19 +136,25 @@ double sampled_clearance(const ScaledProblem& problem, ObstacleTree& tree,
 // Best first over all segments at once, so that where there is much room nothing is refined.
 ClearanceBounds bound_clearance(const ScaledProblem& problem, ObstacleTree& tree,
                                 const std::vector<ScaledConfiguration>& path,
-                                const double tolerance, const int intervals) {
+                                const double tolerance, const int intervals,
+                                const std::vector<double>& off) {
   ClearanceBounds clearance;
   std::vector<Probe> probes;
   for (std::size_t i = 0; i + 1 < path.size(); ++i)
     probes.emplace_back(problem, tree, path[i], path[i + 1]);
+  const auto less = [&](const std::size_t i) { return off.empty() ? 0.0 : off[i]; };
   const auto look_at = [&](const std::size_t segment, const double s) {
-    clearance.upper = std::min(clearance.upper, probes[segment].at(s, clearance.upper));
+    const double by = less(segment);
+    const double found = probes[segment].at(s, clearance.upper + by) - by;
+    clearance.upper = std::min(clearance.upper, std::max(found, 0.0));
   };
   for (std::size_t i = 0; i < probes.size(); ++i) look_at(i, 0.5);
   if (clearance.upper == INFINITY) return clearance;
   std::priority_queue<Open> open;
   const auto push = [&](const std::size_t segment, const Interval interval) {
-    open.push({probes[segment].over(interval, clearance.upper), segment, interval});
+    const double by = less(segment);
+    const double found = probes[segment].over(interval, clearance.upper + by) - by;
+    open.push({std::max(found, 0.0), segment, interval});
   };
   for (std::size_t i = 0; i < probes.size(); ++i) push(i, {0.0, 1.0});
   std::size_t left = static_cast<std::size_t>(intervals) * probes.size();

@@ -19,10 +19,12 @@ struct ClearanceBounds {
 
 // Along the certified segments from each configuration to the next: `lower` is within the factor
 // 1 - tolerance of `upper`, unless `intervals` for each segment run out. Infinite where there is
-// nothing to touch.
+// nothing to touch. `off`, if not empty, has for each segment how far the motion that is meant may
+// be from it, at the same angle: both bounds are less by that, so `lower` holds for that motion,
+// but `upper` need not.
 ClearanceBounds bound_clearance(const ScaledProblem& problem, ObstacleTree& tree,
                                 const std::vector<ScaledConfiguration>& path, double tolerance,
-                                int intervals);
+                                int intervals, const std::vector<double>& off = {});
 
 // An estimate of the least clearance, cheap, and no bound: at the segments' middles only, so it may
 // be too large; from the hulls of polygons that nobody has decomposed, where those are far enough,

@@ -62,6 +62,22 @@ struct SeparatingEdges::Part {
   Box whole;
 };
 
+namespace {
+
+// Half-extents of a box about R(theta_c) a + t_c that holds vertex a during the motion: the better
+// of two bounds along each axis, one of the translation and the turn by themselves, and one of
+// their sum, whose second-order term is at most |a| h^2 / 2 (docs/certificate.md).
+Vec2 sway_of(const Vec2 a, const Vec2 turned, const pdg::Motion& m) {
+  const double length = std::abs(a.x) + std::abs(a.y);
+  const double alone = m.half_angle * length;
+  const double second = 0.5 * m.half_angle * m.half_angle * length;
+  const Vec2 by{std::abs(m.g1.x - m.turn * turned.y), std::abs(m.g1.y + m.turn * turned.x)};
+  return {std::min(std::abs(m.g1.x) + alone, by.x + second),
+          std::min(std::abs(m.g1.y) + alone, by.y + second)};
+}
+
+}  // namespace
+
 double box_margin(const ScaledProblem& problem, const Vec2 low, const Vec2 high) {
   const double farthest = std::max(std::max(std::abs(low.x), std::abs(high.x)),
                                    std::max(std::abs(low.y), std::abs(high.y)));
@@ -71,12 +87,17 @@ double box_margin(const ScaledProblem& problem, const Vec2 low, const Vec2 high)
 
 SweptBox swept_box(const ScaledProblem& problem, const ScaledConfiguration& from,
                    const ScaledConfiguration& to) {
-  // A vertex's box on a part of the segment reaches |delta| (|a_x| + |a_y|) beyond its middle
-  // place.
-  const double half_angle = 0.5 * std::abs(to.theta - from.theta);
-  const double reach = problem.robot.reach * (1.0 + std::numbers::sqrt2 * half_angle);
-  return {{std::min(from.t.x, to.t.x) - reach, std::min(from.t.y, to.t.y) - reach},
-          {std::max(from.t.x, to.t.x) + reach, std::max(from.t.y, to.t.y) + reach}};
+  const pdg::Motion m = motion_along(problem, from, to, {0.0, 1.0});
+  const pdg::Rotation rotation = rotation_at(between(from, to, 0.5).theta);
+  SweptBox box{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  for (const pdg::Edge& edge : problem.robot.pieces.back().edges) {
+    const Vec2 turned = pdg::rotate(rotation, edge.vertex);
+    const Vec2 by = sway_of(edge.vertex, turned, m);
+    const Vec2 p = turned + m.t;
+    box.low = {std::min(box.low.x, p.x - by.x), std::min(box.low.y, p.y - by.y)};
+    box.high = {std::max(box.high.x, p.x + by.x), std::max(box.high.y, p.y + by.y)};
+  }
+  return box;
 }
 
 std::optional<std::vector<ProvenInterval>> SeparatingEdges::prove(const ScaledConfiguration& from,
@@ -84,42 +105,45 @@ std::optional<std::vector<ProvenInterval>> SeparatingEdges::prove(const ScaledCo
   from_ = from;
   to_ = to;
   proven_.clear();
-  gathered_.clear();
   const SweptBox swept = swept_box(problem_, from, to);
-  if (!tree_.empty()) gather(tree_.root(), {swept.low, swept.high});
-  const std::vector<std::uint32_t> near = gathered_;
+  Nodes near;
+  if (!tree_.empty()) gather(tree_.root(), {swept.low, swept.high}, false, near);
   if (!prove_part({0.0, 1.0}, near, 0)) return std::nullopt;
   return std::move(proven_);
 }
 
-void SeparatingEdges::gather(const std::uint32_t index, const Box& swept) {
+// Appends what is not apart from the box by its own. Polygons are decomposed if `open` is set;
+// false if one was left as it is.
+bool SeparatingEdges::gather(const std::uint32_t index, const Box& swept, const bool open,
+                             Nodes& out) {
   const TreeNode& node = tree_.node(index);
   const double margin = box_margin(problem_, node.low, node.high);
-  if (!meet(node.low, node.high, swept.low, swept.high, margin)) return;
+  if (!meet(node.low, node.high, swept.low, swept.high, margin)) return true;
+  if (!open && tree_.whole_polygon(index)) {
+    out.push_back(index);
+    return false;
+  }
   tree_.expand(index);
-  if (tree_.node(index).piece != kNoPiece) return gathered_.push_back(tree_.node(index).piece);
+  if (tree_.node(index).piece != kNoPiece) {
+    out.push_back(index);
+    return true;
+  }
   const std::uint32_t left = tree_.node(index).left;
-  gather(left, swept);
-  gather(left + 1, swept);
+  const bool all = gather(left, swept, open, out);
+  return gather(left + 1, swept, open, out) && all;
 }
 
-bool SeparatingEdges::prove_part(const Interval interval, const std::vector<std::uint32_t>& near,
-                                 const int depth) {
-  if (depth > kDeepestPart || proven_.size() >= kMostParts) return false;
-  const double middle = 0.5 * (interval.begin + interval.end);
-  const ScaledConfiguration centre = between(from_, to_, middle);
+SeparatingEdges::Part SeparatingEdges::make_part(const Interval interval) {
   Part part{motion_along(problem_, from_, to_, interval), {}, {}};
   const pdg::Motion& m = part.motion;
-  posed_.turn_to(rotation_at(centre.theta));
+  posed_.turn_to(rotation_at(between(from_, to_, 0.5 * (interval.begin + interval.end)).theta));
   part.whole = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
   for (std::size_t i = 0; i < problem_.robot.body_pieces(); ++i) {
     const pdg::PosedPiece a = posed_.piece(i);
     Box box{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (std::size_t k = 0; k < a.vertices.size(); ++k) {
-      const Vec2 v = a.piece->edges[k].vertex;
-      const double e = m.half_angle * (std::abs(v.x) + std::abs(v.y));
       const Vec2 p = a.vertices[k] + m.t;
-      const Vec2 by{std::abs(m.g1.x) + e, std::abs(m.g1.y) + e};
+      const Vec2 by = sway_of(a.piece->edges[k].vertex, a.vertices[k], m);
       box.low = {std::min(box.low.x, p.x - by.x), std::min(box.low.y, p.y - by.y)};
       box.high = {std::max(box.high.x, p.x + by.x), std::max(box.high.y, p.y + by.y)};
     }
@@ -128,21 +152,28 @@ bool SeparatingEdges::prove_part(const Interval interval, const std::vector<std:
     part.whole.high = {std::max(part.whole.high.x, box.high.x),
                        std::max(part.whole.high.y, box.high.y)};
   }
-  std::vector<std::uint32_t> here;
-  for (const std::uint32_t piece : near) {
-    const pdg::ConvexPiece& b = tree_.piece(piece);
-    const Vec2 half{b.radius, b.radius};
-    const double margin = separation_error(problem_.robot.pieces.back(), b, m);
-    if (meet(part.whole.low, part.whole.high, b.centre - half, b.centre + half, margin))
-      here.push_back(piece);
-  }
-  ProvenInterval proven{interval, {}};
+  return part;
+}
+
+// A polygon whose box comes near on a long part often does so on no short one, so it is decomposed
+// for short parts only.
+bool SeparatingEdges::prove_part(const Interval interval, const Nodes& near, const int depth) {
+  if (depth > kDeepestPart || proven_.size() >= kMostParts) return false;
+  const Part part = make_part(interval);
+  const pdg::Motion& m = part.motion;
+  const double moves = pdg::norm(m.g1) + problem_.robot.reach * m.half_angle;
+  const bool open = moves <= kShortPart * problem_.robot.reach;
+  Nodes here;
+  bool opened = true;
+  for (const std::uint32_t node : near) opened = gather(node, part.whole, open, here) && opened;
+  ProvenInterval proven{interval, {}, {}};
   // The expansion about the middle holds its error bound for small turns only.
-  if (m.half_angle <= pdg::kWidestCoupledTurn && within_walls(part) &&
+  if (opened && m.half_angle <= pdg::kWidestCoupledTurn && within_walls(part) &&
       separate(part, here, proven)) {
     proven_.push_back(std::move(proven));
     return true;
   }
+  const double middle = 0.5 * (interval.begin + interval.end);
   return prove_part({interval.begin, middle}, here, depth + 1) &&
          prove_part({middle, interval.end}, here, depth + 1);
 }
@@ -151,15 +182,16 @@ bool SeparatingEdges::within_walls(const Part& part) {
   const pdg::PosedPiece hull = posed_.piece(problem_.robot.hull());
   for (std::uint32_t wall = 0; wall < tree_.wall_count(); ++wall) {
     const double error = separation_error(*hull.piece, tree_.piece(wall), part.motion);
-    if (obstacle_edge_least(hull, tree_.piece(wall).edges[0], part.motion) < error) return false;
+    if (obstacle_edge_least(hull, tree_.piece(wall).edges[0], part.motion) < share_ * error)
+      return false;
   }
   return true;
 }
 
-bool SeparatingEdges::separate(const Part& part, const std::vector<std::uint32_t>& near,
-                               ProvenInterval& out) {
+bool SeparatingEdges::separate(const Part& part, const Nodes& near, ProvenInterval& out) {
   const pdg::Motion& m = part.motion;
-  for (const std::uint32_t piece : near) {
+  for (const std::uint32_t node : near) {
+    const std::uint32_t piece = tree_.node(node).piece;
     const pdg::ConvexPiece& b = tree_.piece(piece);
     Box box{b.edges[0].vertex, b.edges[0].vertex};
     for (const pdg::Edge& edge : b.edges) {
@@ -182,7 +214,7 @@ bool SeparatingEdges::separate(const Part& part, const std::vector<std::uint32_t
         consider(pdg::EdgeOwner::kObstacle, k, obstacle_edge_least(a, b.edges[k], m));
       for (std::size_t k = 0; k < a.normals.size(); ++k)
         consider(pdg::EdgeOwner::kRobot, k, robot_edge_least(a, k, b, m));
-      if (best < error) return false;
+      if (best < share_ * error) return false;
       out.edges.push_back(edge);
     }
   }

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "limit_watch.hpp"
 #include "planar_planner/native/cells/census.hpp"
+#include "planar_planner/native/configurations/reference_point.hpp"
+#include "planar_planner/native/evidence/layer_evidence.hpp"
 #include "planar_planner/native/guesses/goal_guesses.hpp"
 #include "planar_planner/native/search/channel.hpp"
 #include "planar_planner/native/search/goal_cells.hpp"
 #include "planar_planner/native/search/search.hpp"
 #include "planar_planner/native/world/disc.hpp"
+#include "reference_path.hpp"
 #include "tuning.hpp"
 
 namespace planner {
@@ -45,25 +49,34 @@ Planner::Planner(Problem given, const Ablation& ablation) {
                                          ablation.partition);
   labeller_ = std::make_unique<Labeller>(problem_.robot, *tree_, statistics_, ablation);
   segments_ = std::make_unique<SegmentTest>(problem_, *labeller_, statistics_);
+  prepare_about_body(ablation);
 }
 
 Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits& limits,
                       const Listener& listener) {
+  by_body_ = false;
+  layer_.reset();
+  const auto* const place = std::get_if<Configuration>(&goal);
+  if (about_body_ && place != nullptr)
+    if (auto answer = solve_about_body(start, *place, limits, listener)) return std::move(*answer);
   std::optional<GoalRegion> region;
   if (const auto* const set = std::get_if<GoalSet>(&goal)) region.emplace(problem_, *set);
   LimitWatch watch(limits, listener);
   Query query(
       start, goal, region ? &*region : nullptr, limits, [&] { return watch.elapsed(); },
-      [&](const Usage& usage, const auto& progress) { return watch.check(usage, progress); });
+      [&](const Usage& usage, const auto& progress) {
+        if (usage.cells >= pause_) return std::optional(StopReason::kMaxCells);
+        return watch.check(usage, progress);
+      });
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   CollisionHint hint(problem_, *tree_);
   std::optional<FirstTry> first_try;
-  const bool cheap = problem_.ablation.cheap;
-  if (!ends_not_free(query) &&
-      !(cheap && (cheap_move(query, hint) || disc_answer(query, goal, listener))) &&
-      !(problem_.ablation.probe && probe(query, hint, first_try)))
+  if (!ends_settle_it(query, start, goal) &&
+      (query.in_contact || !guess(query, hint, goal, listener, first_try)) &&
+      !small_subdivision(query, start, goal, first_try ? &*first_try : nullptr))
     subdivide(query, first_try ? &*first_try : nullptr);
+  if (query.answer.stop_reason == StopReason::kResolution) settle_resolution(query, start, goal);
   confirm_absence(query, start, goal);
   remember(query, start, goal);
   settle_lifted_ends(query, start, goal);
@@ -74,11 +87,17 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
 Answer Planner::solve_certified(const Configuration& start, const Goal& goal, const Limits& limits,
                                 const Listener& listener) {
   Answer answer = solve(start, goal, limits, listener);
-  if (answer.verdict != Verdict::kPath) return answer;
+  if (answer.verdict != Verdict::kPath || layer_) return answer;
   Evidence evidence;
   evidence.waypoints = last_.waypoints;
-  if (collect_segments(problem_, *tree_, evidence)) return answer;
-  last_ = {Verdict::kUndecided, std::nullopt, start, goal, {}};
+  for (const double share : {1.0, kClosestShare}) {
+    last_.share = share;
+    answer.to_be_checked = share < 1.0;
+    if (collect_segments(problem_, *tree_, share, evidence)) return answer;
+  }
+  answer.to_be_checked = false;
+  if (exact_instead(answer, start, goal)) return answer;
+  last_ = {Verdict::kUndecided, std::nullopt, start, goal, {}, 1.0};
   answer.verdict = Verdict::kUndecided;
   answer.stop_reason = StopReason::kNoEvidence;
   answer.ends_moved = false;
@@ -90,13 +109,71 @@ Answer Planner::solve_certified(const Configuration& start, const Goal& goal, co
   return answer;
 }
 
+// What is certified with rounding, before there are cells.
+bool Planner::guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener,
+                    std::optional<FirstTry>& first_try) {
+  const Ablation& parts = problem_.ablation;
+  return (parts.cheap && (cheap_move(query, hint) || disc_answer(query, goal, listener))) ||
+         (parts.probe && probe(query, hint, first_try));
+}
+
+// A few cells first, which tell most scenes and show where a way is shut; then the exact decision,
+// which costs no more in scenes where everything fits exactly; all cells only after that.
+bool Planner::small_subdivision(Query& query, const Configuration& start, const Goal& goal,
+                                FirstTry* const first_try) {
+  if (problem_.rotation || !problem_.ablation.layers || query.limits.max_cells <= kCellsBeforeLayer)
+    return false;
+  pause_ = kCellsBeforeLayer;
+  subdivide(query, first_try);
+  pause_ = kNoPause;
+  if (query.stopped_by != StopReason::kMaxCells) return true;
+  query.stopped_by.reset();
+  return layer_answer(query, start, goal);
+}
+
+// The cells tell no more, since what is left touches. A way on which the robot does not turn may.
+void Planner::settle_resolution(Query& query, const Configuration& start, const Goal& goal) {
+  if (layer_answer(query, start, goal)) return;
+  if (query.in_contact) query.leave_undecided(*query.in_contact);
+}
+
+// The exact decision is about the user's own ends.
+bool Planner::layer_answer(Query& query, const Configuration& start, const Goal& goal) {
+  const auto* const own = std::get_if<Configuration>(&goal);
+  if (!problem_.ablation.layers || own == nullptr || query.lifted) return false;
+  layer_ = decide_in_layer(problem_, start, *own);
+  if (!layer_) return false;
+  if (layer_->chain.empty()) return conclude_path(query, layer_->waypoints, DecidedBy::kTautPath);
+  query.decide(Verdict::kNoPath, DecidedBy::kOddChain);
+  return true;
+}
+
+// A path in place of one whose evidence cannot be written: exactly, without turning.
+bool Planner::exact_instead(Answer& answer, const Configuration& start, const Goal& goal) {
+  const auto* const own = std::get_if<Configuration>(&goal);
+  if (own == nullptr || answer.ends_moved || !problem_.ablation.layers) return false;
+  layer_ = decide_in_layer(problem_, start, *own);
+  if (!layer_ || !layer_->chain.empty()) {
+    layer_.reset();
+    return false;
+  }
+  answer.path = report_path(layer_->waypoints);
+  answer.statistics.decided_by = DecidedBy::kTautPath;
+  answer.statistics.path_length = answer.path.length;
+  answer.statistics.path_turning = answer.path.turning;
+  answer.statistics.waypoints = answer.path.waypoints.size();
+  return true;
+}
+
 // A colliding end has no path; one in contact is moved off by the contact tolerance, if it allows.
-bool Planner::ends_not_free(Query& query) {
+bool Planner::ends_settle_it(Query& query, const Configuration& start, const Goal& goal) {
   for (Configuration* const end : {&query.start, &query.goal}) {
     if (end == &query.goal && query.region != nullptr) break;
     const bool at_start = end == &query.start;
     const Placement p = placement(*end);
     if (p.state == PlacementState::kFree) continue;
+    // Rounded arithmetic tells no more of an end in contact; exact arithmetic may.
+    if (p.state == PlacementState::kContact && layer_answer(query, start, goal)) return true;
     if (p.state != PlacementState::kOutside && p.depth <= query.limits.contact_tolerance &&
         query.limits.contact_tolerance > 0.0) {
       if (const auto moved = lift_off(problem_, *segments_, *end, query.limits.contact_tolerance)) {
@@ -105,12 +182,13 @@ bool Planner::ends_not_free(Query& query) {
         continue;
       }
     }
-    // Where rounding cannot tell touching from penetration, neither a path nor its absence can be
-    // certified from here.
-    if (p.state == PlacementState::kContact)
-      query.leave_undecided(touches(at_start, p.wall));
-    else
-      query.decide(Verdict::kNoPath, at_start ? DecidedBy::kStart : DecidedBy::kGoal);
+    // Where rounding cannot tell touching from penetration, no path can be certified from here, but
+    // its absence can.
+    if (p.state == PlacementState::kContact) {
+      if (!query.in_contact) query.in_contact = touches(at_start, p.wall);
+      continue;
+    }
+    query.decide(Verdict::kNoPath, at_start ? DecidedBy::kStart : DecidedBy::kGoal);
     return true;
   }
   return false;
@@ -171,6 +249,7 @@ bool Planner::disc_answer(Query& query, const Goal& goal, const Listener& listen
     if (auto discs = disc_problems(problem_)) {
       disc_round_ = std::make_unique<Planner>(std::move(discs->round), problem_.ablation);
       disc_inside_ = std::make_unique<Planner>(std::move(discs->inside), problem_.ablation);
+      disc_round_->end_error_ = disc_inside_->end_error_ = end_error_;
     }
   }
   if (!disc_round_) return false;
@@ -226,7 +305,11 @@ void Planner::subdivide(Query& query, FirstTry* const first_try) {
 
 // Every leaf that the exact configuration can lie in.
 std::vector<CellId> Planner::leaves_of(const Configuration& q) const {
-  return subdivision_->leaves_near(dyadic_point(problem_, q), kDyadicSlack);
+  const double error = std::ldexp(end_error_, problem_.frame.exponent) /
+                       std::min(problem_.domain.size.x, problem_.domain.size.y);
+  const double units = std::ldexp(std::min(error, 1.0), static_cast<int>(kCoordinateBits) + 1);
+  return subdivision_->leaves_near(dyadic_point(problem_, q),
+                                   kDyadicSlack + static_cast<std::uint64_t>(units));
 }
 
 // Every leaf that may hold a goal.
@@ -288,14 +371,19 @@ void Planner::complete_answer(Query& query) {
 
 void Planner::remember(const Query& query, const Configuration& start, const Goal& goal) {
   const Answer& answer = query.answer;
-  last_ = {answer.verdict, answer.statistics.decided_by, start, goal, answer.path.waypoints};
+  last_ = {answer.verdict, answer.statistics.decided_by, start, goal, answer.path.waypoints, 1.0};
 }
 
 Evidence Planner::evidence() {
+  if (layer_)
+    return layer_->chain.empty() ? path_evidence(problem_, layer_->layer, layer_->waypoints)
+                                 : chain_evidence(layer_->layer, layer_->chain);
+  if (by_body_ && last_.verdict == Verdict::kNoPath) return about_body_->evidence();
   Evidence out;
   if (last_.verdict == Verdict::kPath) {
     out.waypoints = last_.waypoints;
-    if (collect_segments(problem_, *tree_, out)) out.kind = ClaimKind::kPath;
+    if (collect_segments(problem_, *tree_, last_.share, out)) out.kind = ClaimKind::kPath;
+    collect_near_polygons(problem_, out);
   } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == DecidedBy::kDisc) {
     out = disc_inside_->evidence();
     if (out.kind == ClaimKind::kSeparation) out.kind = ClaimKind::kDisc;
@@ -319,12 +407,20 @@ Evidence Planner::evidence() {
 }
 
 double Planner::least_clearance() {
-  if (last_.verdict != Verdict::kPath) return 0.0;
+  if (last_.verdict != Verdict::kPath || layer_) return 0.0;
+  if (by_body_)
+    return reference_path_clearance(about_body_->problem_, *about_body_->tree_, point_,
+                                    last_.waypoints);
   return path_clearance(problem_, *tree_, last_.waypoints);
 }
 
 Crossing Planner::thinnest_wall() {
   if (last_.verdict != Verdict::kNoPath) return {};
+  if (by_body_) {
+    Crossing crossing = about_body_->thinnest_wall();
+    for (Configuration& q : crossing.way) q = placed_back(point_, q);
+    return crossing;
+  }
   if (last_.decided_by == DecidedBy::kDisc) return disc_inside_->thinnest_wall();
   if (last_.decided_by != DecidedBy::kSeparation) return {};
   return find_thinnest_wall(problem_, *subdivision_, leaves_of(last_.start),
@@ -333,6 +429,7 @@ Crossing Planner::thinnest_wall() {
 }
 
 CellTable Planner::cells() const {
+  if (by_body_) return about_body_->cells();
   return subdivision_ ? tabulate(problem_, *subdivision_) : CellTable{};
 }
 

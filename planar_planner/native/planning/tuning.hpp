@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace planner {
@@ -22,5 +23,25 @@ inline constexpr std::uint64_t kTryWorkPerVertex = 400;
 // Configurations of each leg that are looked at, the middle first, before a certificate of it is
 // begun: one that must fail costs more than these looks. Chosen: the eighths.
 inline constexpr std::array<double, 7> kGlances = {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};
+
+// Cells before a layer is decided exactly: some milliseconds. Chosen: the shipped scenes of robots
+// that may not turn take fewer.
+inline constexpr std::uint64_t kCellsBeforeLayer = 2000;
+
+// Evidence may come so near to touching, as a part of the bound of rounding, if it is then checked
+// exactly. The rounding itself is far less than its bound. Chosen.
+inline constexpr double kClosestShare = 0.25;
+
+// The size of a layer that is decided exactly, in convex sums and in their vertices. Chosen: about
+// a tenth of a second.
+inline constexpr std::size_t kMostLayerSums = 100'000;
+inline constexpr std::size_t kMostLayerVertices = 1'000'000;
+// The way of a far reference point: the part of the body's room along a segment that the arc's
+// deviation may take up before the segment is halved instead, how often one is halved, and how many
+// waypoints there may be. Chosen, not tuned: half the room makes fewer waypoints, but evidence that
+// has to halve them again, and a smaller bound of the clearance.
+inline constexpr double kReferenceRoom = 0.25;
+inline constexpr int kDeepestReferencePart = 40;
+inline constexpr std::size_t kMostReferenceWaypoints = std::size_t{1} << 16U;
 
 }  // namespace planner

@@ -17,14 +17,21 @@ from planar_planner.planning.planner import solve
 from worlds.hand_made_certificates import HAND_MADE, hand_made
 
 ROOT = next(folder for folder in Path(__file__).parents if (folder / "pyproject.toml").is_file())
+FAR_REFERENCE = ROOT / "tests" / "worlds" / "faults" / "far_10_0.98.json"
 PAGE = ROOT / "docs" / "certificate.md"
 ELSEWHERE = {keys.VERDICT, keys.CLAIM}  # in tables that come before
 VERDICT_FIELD: Fields = {keys.VERDICT: form.PATH_FIELDS[keys.VERDICT]}
 
 OBJECTS: dict[str, tuple[Fields, ...]] = {
-    "certificate": (form.COMMON_FIELDS, form.OUTSIDE_FIELDS, VERDICT_FIELD),
+    "certificate": (
+        form.COMMON_FIELDS,
+        form.OUTSIDE_FIELDS,
+        form.REFERENCE_FIELDS,
+        VERDICT_FIELD,
+    ),
     "path": (form.PATH_FIELDS,),
     "interval": (form.INTERVAL_FIELDS,),
+    "exact interval": (form.ALONG_FIELDS,),
     "separation": (form.SEPARATION_FIELDS,),
     "domain": (form.DOMAIN_FIELDS,),
     "claim": (form.FACE_FIELDS, *form.COLLISIONS),
@@ -33,6 +40,8 @@ OBJECTS: dict[str, tuple[Fields, ...]] = {
     "term": (form.TERM_FIELDS,),
     "wall term": (form.WALL_TERM_FIELDS,),
     "disc": (form.DISC_FIELDS,),
+    "chain": (form.CHAIN_FIELDS,),
+    "link": form.LINKS,
     "end": (form.END_FIELDS, *form.COLLISIONS[:2], form.BOUNDS_FIELDS),
 }
 
@@ -95,7 +104,7 @@ def names_in(value: Any, *, free: bool = False) -> set[str]:
 def test_every_field_is_written_by_hand_or_by_the_planner() -> None:
     """So no key of the list is of no use, and no certificate has another."""
     written = set().union(*(names_in(hand_made(name)[1]) for name in HAND_MADE))
-    for name in ("comb-jammed", "disc-jammed", "slot"):
+    for name in ("comb-jammed", "disc-jammed", "slot", FAR_REFERENCE):
         written |= names_in(solve(name, certificate=True).certificate)
     fields = {key for parts in OBJECTS.values() for part in parts for key in part}
     assert written == fields

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
@@ -14,6 +15,7 @@ from typing import NamedTuple
 from planar_planner import certificate_keys as keys
 from planar_planner.checker.arithmetic import (
     ONE,
+    ROTATION_BITS,
     Polygon,
     Rectangle,
     Ring,
@@ -21,9 +23,11 @@ from planar_planner.checker.arithmetic import (
     bounding_box,
     cross,
     cyclic_pairs,
+    minus,
+    rotation,
     units,
 )
-from planar_planner.checker.demands import demand
+from planar_planner.checker.demands import NO_DEADLINE, Deadline, demand
 from planar_planner.checker.goal_area import GoalArea
 from planar_planner.checker.pieces import Edge, Pieces, checked_pieces
 from planar_planner.checker.records import Certificate
@@ -41,10 +45,14 @@ WALL_NORMALS: dict[str, Vector] = {
 
 
 class Pose(NamedTuple):
-    """A configuration: exact translation, theta in radians as the scene writes it."""
+    """A configuration: translation, theta in radians as the scene writes it.
+
+    The translation is off by at most `spread` along x and y; the scene's own is exact.
+    """
 
     translation: Vector
     theta: float
+    spread: int = 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,6 +73,11 @@ class Case:
         The goal may be an area instead.
     pieces : Pieces
         Convex, and a partition of their polygons.
+    reference : Vector
+        The point of the scene's robot at which robot, pieces and poses have their origin. An area
+        and bounds are for the scene's own origin: if that is another point, there are no bounds.
+    deadline : Deadline
+        Of the verification.
     """
 
     robot: dict[str, Polygon]
@@ -75,6 +88,8 @@ class Case:
     start: Pose
     goal: Pose | GoalArea
     pieces: Pieces
+    reference: Vector = (0, 0)
+    deadline: Deadline = NO_DEADLINE
 
     def in_bounds(self, translation: Vector) -> bool:
         """Whether the reference point is within its bounds."""
@@ -86,10 +101,11 @@ class Case:
         return [v for polygon in self.robot.values() for v in polygon[0]]
 
 
-def make_case(problem: Problem, certificate: Certificate) -> Case:
+def make_case(problem: Problem, certificate: Certificate, deadline: Deadline = NO_DEADLINE) -> Case:
     """Turn the scene's doubles into integers, and check the certificate's pieces against it."""
     walls, beyond = _workspace(problem, certificate)
-    robot = _numbered(_polygons(problem.robot))
+    reference = certificate.reference or (0, 0)
+    robot = _numbered([_about(reference, polygon) for polygon in _polygons(problem.robot)])
     obstacles = _numbered([*_polygons(problem.obstacles), *beyond])
     pieces = Pieces(
         checked_pieces(keys.ROBOT_PIECES, robot, certificate.robot_pieces, of_obstacle=False),
@@ -97,16 +113,19 @@ def make_case(problem: Problem, certificate: Certificate) -> Case:
             keys.OBSTACLE_PIECES, obstacles, certificate.obstacle_pieces, of_obstacle=True
         ),
     )
-    bounds = problem.reference_bounds
+    # Without bounds more is free, so an absence still follows.
+    bounds = problem.reference_bounds if certificate.reference is None else None
     return Case(
         robot=robot,
         obstacles=obstacles,
         walls=_box_edges(walls),
         bounds=_box_edges(bounds and _rectangle(bounds)),
         turning=problem.rotation,
-        start=_pose(problem.start),
-        goal=_goal(problem.goal, problem.rotation),
+        start=_pose(problem.start, reference),
+        goal=_goal(problem.goal, problem.rotation, reference),
         pieces=pieces,
+        reference=reference,
+        deadline=deadline,
     )
 
 
@@ -159,12 +178,23 @@ def _box_edges(box: Rectangle | None) -> dict[str, Edge]:
     }
 
 
-def _pose(configuration: Configuration) -> Pose:
+def _about(reference: Vector, polygon: Polygon) -> Polygon:
+    return [[minus(vertex, reference) for vertex in ring] for ring in polygon]
+
+
+def _pose(configuration: Configuration, reference: Vector) -> Pose:
+    """Return where a point of the robot is: x + R(theta) reference."""
     x, y, theta = configuration
-    return Pose((units(x), units(y)), theta)
+    u, v = reference
+    if theta == 0:
+        return Pose((units(x) + u, units(y) + v), theta)
+    c, s = rotation(Fraction(theta), Fraction())
+    turned = (u * c - v * s) >> ROTATION_BITS, (u * s + v * c) >> ROTATION_BITS
+    spread = ((abs(u) + abs(v)) >> ROTATION_BITS) + 2 if u or v else 0
+    return Pose((units(x) + turned[0], units(y) + turned[1]), theta, spread)
 
 
-def _goal(goal: Goal, turning: bool) -> Pose | GoalArea:
+def _goal(goal: Goal, turning: bool, reference: Vector) -> Pose | GoalArea:
     if isinstance(goal, GoalSet):
         return GoalArea(list(_polygons(goal.polygons)), goal.angles if turning else None)
-    return _pose(goal)
+    return _pose(goal, reference)

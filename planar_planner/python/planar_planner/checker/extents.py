@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from itertools import product
 from typing import NamedTuple
 
-from planar_planner.checker.arithmetic import Rotation, Vector, rotation
+from planar_planner.checker.arithmetic import (
+    ROTATION_BITS,
+    Rectangle,
+    Rotation,
+    Vector,
+    bounding_box,
+    rotation,
+)
 from planar_planner.checker.demands import demand
 from planar_planner.checker.records import Box
 
@@ -25,6 +33,23 @@ class Extent(NamedTuple):
     def end_rotations(self) -> list[Rotation]:
         """Return the rotations by the first and last angle; one if they are the same."""
         return [rotation(self.radians, turns) for turns in sorted({self.first, self.last})]
+
+    def box_of_origin(self, reference: Vector) -> Rectangle:
+        """Return a rectangle that holds t − R(θ) reference for all translations and angles.
+
+        Turning by at most h moves R(θ) p by at most h |p|.
+        """
+        xmin, ymin, xmax, ymax = bounding_box(self.corners)
+        u, v = reference
+        if not (u or v):
+            return xmin, ymin, xmax, ymax
+        c, s = rotation(self.radians, (self.first + self.last) / 2)
+        x, y = (u * c - v * s) >> ROTATION_BITS, (u * s + v * c) >> ROTATION_BITS
+        length = abs(u) + abs(v)
+        # Half of the angles' range, in radians, is π times the range in turns, and π < 16/5.
+        spread = math.floor(length * (self.last - self.first) * Fraction(16, 5))
+        spread += (length >> ROTATION_BITS) + 3
+        return xmin - x - spread, ymin - y - spread, xmax - x + spread, ymax - y + spread
 
     def halves(self) -> list[Extent]:
         """Return the halves of the angles."""

@@ -6,7 +6,7 @@ import math
 from fractions import Fraction
 
 from planar_planner import certificate_keys as keys
-from planar_planner.checker.arithmetic import TURNS_ERROR, bounding_box, turns_of
+from planar_planner.checker.arithmetic import TURNS_ERROR, turns_of
 from planar_planner.checker.case import WALL_NORMALS, Case, Pose
 from planar_planner.checker.collisions import check_full, is_negative_edge
 from planar_planner.checker.cover import check_cover
@@ -35,7 +35,7 @@ def check_separation(case: Case, separation: Separation) -> int:
         for i, claim in enumerate(claims):
             place = f"{name}[{i}]"
             check_full(case, place, claim.collision, domain.extent(place, claim.box, claim.axis))
-    check_cover(separation)
+    check_cover(separation, case.deadline)
     return len(separation.start_side) + len(separation.full) + len(separation.full_faces)
 
 
@@ -67,10 +67,12 @@ def check_ends(case: Case, domain: Domain, start_side: list[Box]) -> None:
     starts, goal, held = places_of(case.start, domain), case.goal, False
     goals = [] if isinstance(goal, GoalArea) else places_of(goal, domain)
     for i, box in enumerate(start_side):
+        case.deadline.check()
         place = f"{keys.START_SIDE}[{i}]"
         extent, ranges = domain.extent(place, box), ranges_of(box)
         if isinstance(goal, GoalArea):
-            met = goal.meets(bounding_box(extent.corners)) and goal.may_have_angle(*ranges[THETA])
+            rectangle = extent.box_of_origin(case.reference)
+            met = goal.meets(rectangle) and goal.may_have_angle(*ranges[THETA])
         else:
             met = any(may_meet(end, ranges) for end in goals)
         demand(not met, place, "may hold the goal")
@@ -84,15 +86,18 @@ def places_of(pose: Pose, domain: Domain) -> list[Place]:
     No angle but 0 is on a box's boundary, so angles need not be exact. An angle below
     `TURNS_ERROR` is on the side of 0 that its sign says.
     """
-    (x, y), theta = pose
+    (x, y), theta, spread = pose
     if domain.only_theta is not None:
         theta = 0.0
-    u, v = Fraction(x - domain.low[0], domain.size[0]), Fraction(y - domain.low[1], domain.size[1])
+    u, v = (
+        (Fraction(at - spread - low, size), Fraction(at + spread - low, size))
+        for at, low, size in zip((x, y), domain.low, domain.size, strict=True)
+    )
     turns, error = turns_of(theta), TURNS_ERROR if theta else Fraction()
     low = turns - error if theta <= 0 else max(turns - error, Fraction())
     high = turns + error if theta >= 0 else min(turns + error, Fraction())
     whole = math.floor(turns)
-    return [((u, u), (v, v), (low - whole + n, high - whole + n)) for n in (-1, 0, 1)]
+    return [(u, v, (low - whole + n, high - whole + n)) for n in (-1, 0, 1)]
 
 
 def ranges_of(box: Box) -> Place:

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from planar_planner.explain.about_point import path_of_point
 from planar_planner.frozen_arrays import FrozenArrays, freeze
 
 FREE, STAR, FULL, MIXED = range(4)
@@ -39,19 +40,23 @@ class Cells(FrozenArrays):
     Attributes
     ----------
     lower, upper : NDArray of float64, shape (N, 3)
-        Opposite corners: x and y of the reference point in the scene's unit, theta in radians from
-        0 to 2π. If the robot may not turn, both thetas are the one that it has.
+        Opposite corners: x and y of the robot's point `point` in the scene's unit, theta in radians
+        from 0 to 2π. If the robot may not turn, both thetas are the one that it has.
     level : NDArray of uint8, shape (N, 3)
         How often the cell's extent along x, y and theta was halved.
     label : NDArray of uint8, shape (N,)
         FREE: every configuration is free; STAR: the free ones are star-shaped about one of them;
         FULL: every configuration collides; MIXED: not decided. See `LABELS`.
+    point : (x, y)
+        In the robot's frame. It is the origin, the robot's reference point, unless that lies far
+        from the body: the planner then works with a point of the body (`about_point`).
     """
 
     lower: NDArray[np.float64]
     upper: NDArray[np.float64]
     level: NDArray[np.uint8]
     label: NDArray[np.uint8]
+    point: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
         freeze(self)
@@ -61,12 +66,14 @@ class Cells(FrozenArrays):
 
     def __getitem__(self, which: Any) -> Cells:
         """Return the cells that a mask, a slice or an array of indices selects."""
-        return Cells(self.lower[which], self.upper[which], self.level[which], self.label[which])
+        return Cells(
+            self.lower[which], self.upper[which], self.level[which], self.label[which], self.point
+        )
 
 
 def make_cells(table: Mapping[str, Any]) -> Cells:
     """Build the cells from the core's table."""
-    return Cells(table["lower"], table["upper"], table["level"], table["label"])
+    return Cells(table["lower"], table["upper"], table["level"], table["label"], table["point"])
 
 
 def theta_slice(cells: Cells, theta: float) -> Cells:
@@ -106,13 +113,14 @@ def cells_on_path(cells: Cells, path: ArrayLike) -> NDArray[np.bool_]:
     cells : Cells
         The cells, N of them.
     path : (M, 3)
-        Waypoints (x, y, theta), theta unwrapped.
+        Waypoints (x, y, theta) of the reference point, theta unwrapped. If the cells are of another
+        point, its way is followed in steps of at most a hundredth of a radian.
 
     Returns
     -------
     NDArray of bool, shape (N,)
     """
-    waypoints = np.asarray(path, dtype=np.float64).reshape(-1, 3)
+    waypoints = path_of_point(np.asarray(path, dtype=np.float64).reshape(-1, 3), cells.point)
     met = np.zeros(len(cells), dtype=bool)
     for start, end in itertools.pairwise(waypoints):
         for turns in _turns_between(start[2], end[2]):

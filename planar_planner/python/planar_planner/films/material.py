@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from planar_planner.explain.about_point import about_point, path_of_point
 from planar_planner.explain.cells import Cells
 from planar_planner.planning.options import Options
 from planar_planner.planning.planner import Planner
@@ -68,10 +69,23 @@ def gather(
         problem = with_query(problem, result.path[0], result.path[-1])
     cells = planner.cells()
     if len(cells) or not cells_needed:
-        return Material(problem, region, result, cells, second_search=False)
+        return _material(problem, region, result, cells, second_search=False)
     limits = options or Options()
     limits = replace(limits, max_cells=min(limits.max_cells, CELLS_TO_SHOW))
     second = Planner(planner.scene, cells_only=True)
     goal = None if isinstance(problem.goal, GoalSet) else problem.goal  # a region is the scene's
     second.solve(problem.start, goal, limits)
-    return Material(problem, region, result, second.cells(), second_search=True)
+    return _material(problem, region, result, second.cells(), second_search=True)
+
+
+def _material(
+    problem: Problem,
+    region: GoalSet | None,
+    result: Result,
+    cells: Cells,
+    *,
+    second_search: bool,
+) -> Material:
+    """Return it about the point that the cells are of, so that all of it fits together."""
+    result = replace(result, path=path_of_point(result.path, cells.point))
+    return Material(about_point(problem, cells.point), region, result, cells, second_search)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,8 +16,10 @@ from matplotlib.patches import Circle, Patch, PathPatch
 from matplotlib.path import Path
 from numpy.typing import NDArray
 
+from planar_planner.explain.about_point import Point, about_point, path_of_point
 from planar_planner.explain.cells import LABEL_COLOURS, Cells, cells_on_path
 from planar_planner.explain.thinnest_place import Bottleneck
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.pictures.boxes3d import draw_boxes, draw_end_points, draw_path, space_axes
 from planar_planner.pictures.goal_region import draw_goal_region
 from planar_planner.pictures.shapes import (
@@ -33,7 +36,6 @@ from planar_planner.planning.path_samples import Floats, equal_parts, reach
 from planar_planner.planning.result import Result
 from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem, ends, make_problem, with_query
-from planar_planner.scene.model import Scene
 
 SIZE = (14.0, 5.4)  # inches
 GHOSTS = 7  # drawings of the robot on its way through the wall
@@ -48,7 +50,7 @@ ROOM = 1.35  # half-width of the close-up, in robot radii about the reference po
 
 
 def draw_wall(
-    scene: Scene,
+    scene: SceneLike,
     wall: Cells,
     bottleneck: Bottleneck,
     file: str | os.PathLike[str] | None = None,
@@ -65,8 +67,8 @@ def draw_wall(
 
     Parameters
     ----------
-    scene : Scene
-        The scene, as loaded.
+    scene : Scene, str, path or mapping
+        The scene: anything that `load_scene` takes.
     wall : Cells
         `Planner.wall` of a planner that has proven that there is no path.
     bottleneck : Bottleneck
@@ -83,11 +85,12 @@ def draw_wall(
     ValueError
         If the wall is empty.
     """
-    problem = with_query(make_problem(scene), start, goal)
+    problem = with_query(make_problem(load_scene(scene)), start, goal)
     if not len(wall):
         raise ValueError("there is no wall to draw")
     if not problem.rotation:
         bottleneck = _at_angle(bottleneck, problem.start[2])
+    problem, bottleneck = about_point(problem, wall.point), _about_point(bottleneck, wall.point)
     figure = new_figure(*SIZE)
     grid = figure.add_gridspec(1, 3, width_ratios=[1.0, 1.0, 1.15])
     whole, close = figure.add_subplot(grid[0]), figure.add_subplot(grid[1])
@@ -110,6 +113,11 @@ def draw_wall(
     if file is not None:
         save_picture(figure, file)
     return figure
+
+
+def _about_point(bottleneck: Bottleneck, point: Point) -> Bottleneck:
+    way = [path_of_point(q, point) for q in np.split(bottleneck.way, len(bottleneck.way))]
+    return Bottleneck(np.concatenate(way), bottleneck.collides, bottleneck.index)
 
 
 def _body(problem: Problem, q: Floats) -> Floats:
@@ -246,8 +254,9 @@ def _draw_wall_in_plane(
 
 def _thinnest(wall: Cells, bottleneck: Bottleneck) -> NDArray[np.bool_]:
     """Return which boxes of the wall contain the bottleneck, or otherwise those on the way."""
-    here = cells_on_path(wall, np.array([bottleneck.at, bottleneck.at]))
-    return here if here.any() else cells_on_path(wall, bottleneck.crossing)
+    of_origin = replace(wall, point=(0.0, 0.0))  # the bottleneck is of the wall's point by now
+    here = cells_on_path(of_origin, np.array([bottleneck.at, bottleneck.at]))
+    return here if here.any() else cells_on_path(of_origin, bottleneck.crossing)
 
 
 def _wall_keys() -> list[Any]:
