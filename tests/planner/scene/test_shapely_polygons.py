@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 import shapely
 
-from planar_planner.scene.geometry import geometries
+from planar_planner.scene.geometry import geometries, polygons_of_shapely
 from planar_planner.scene.plain import plain
-from planar_planner.scene.shapely_polygons import polygons_of_shapely
 
 
 def random_polygons(seed: int) -> list[shapely.Polygon]:
