@@ -51,6 +51,8 @@ def load_scene(scene: SceneLike, importing: ImportOptions | None = None) -> Scen
     SceneError
         If there is no such scene, or it is no JSON object with the right fields.
     """
+    if isinstance(scene, Scene) and importing is None:
+        return scene
     options = importing or ImportOptions()
     if isinstance(scene, Scene):
         return _with_ends(scene, options)
