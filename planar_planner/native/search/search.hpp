@@ -11,6 +11,7 @@
 #include "planar_planner/native/cells/census.hpp"
 #include "planar_planner/native/cells/face.hpp"
 #include "planar_planner/native/cells/subdivision.hpp"
+#include "planar_planner/native/guesses/channel_survey.hpp"
 #include "planar_planner/native/guesses/ridge_attempts.hpp"
 #include "planar_planner/native/paths/segment.hpp"
 #include "planar_planner/native/world/scaled_problem.hpp"
@@ -42,6 +43,8 @@ class Search {
   CellId resolve_doubt(CellId a, CellId b);
   bool finish(const std::vector<CellId>& channel);
   bool try_ridge(const std::vector<CellId>& channel);
+  bool split_stuck(const std::vector<CellId>& channel);
+  void join_solid(CellId a, CellId b);
   void conclude_path(std::vector<Configuration> path, DecidedBy by);
   void split(CellId cell);
   CellId halve(CellId cell);
@@ -68,6 +71,8 @@ class Search {
     bool tested_all = true;
   } link_steps_;
   RidgeAttempts ridge_;
+  ChannelSurvey survey_;
+  std::uint64_t survey_work_ = 0;  // of Statistics::axis_work(), what surveys have cost
 };
 
 }  // namespace planner
