@@ -18,7 +18,9 @@ enum class Verdict : std::uint8_t { kPath, kNoPath, kUndecided };
   X(kFirstTry, FIRST_TRY, "RRT-Connect")           /* path: guessed by random trees */   \
   X(kChannel, CHANNEL, "channel")                  /* path: through solid cells */       \
   X(kRidge, RIDGE, "ridge")                        /* path: guessed through a channel */ \
+  X(kTautPath, TAUT_PATH, "taut path")             /* path: exact, along corners */      \
   X(kSeparation, SEPARATION, "separation")         /* no path: FULL cells and faces */   \
+  X(kOddChain, ODD_CHAIN, "odd chain")             /* no path: exact, open sums */       \
   X(kStart, START, "start")                        /* no path: the start is not free */  \
   X(kGoal, GOAL, "goal")                           /* no path: the goal is not free */
 

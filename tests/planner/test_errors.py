@@ -14,6 +14,7 @@ from planar_planner import (
     OutputError,
     PlannerError,
     SceneError,
+    VerificationTimeoutError,
     load_scene,
     verify_certificate,
 )
@@ -24,6 +25,7 @@ ERRORS = [
     OutputError("cannot write a.json: is a directory"),
     CertificateError("segments[0]", "is missing"),
     CertificateRejected("scene", "is not the one certified"),
+    VerificationTimeoutError("the time limit of the verification is reached"),
 ]
 
 

@@ -231,6 +231,52 @@ def bent_workspace() -> tuple[Json, Json]:
     )
 
 
+def _chain(*links: Json) -> Json:
+    return {"verdict": "no_path", "claim": "odd_chain", "chain": list(links)}
+
+
+CEILING, FLOOR, LEFT_SIDE = {"side": "y_max"}, {"side": "y_min"}, {"side": "x_min"}
+
+
+def chained_wall() -> tuple[Json, Json]:
+    """The square that may not turn, and the wall as the link between ceiling and floor."""
+    scene = _scene(SQUARE, [WALL, FAR_L], rotation=False)
+    chain = _chain(CEILING, {"pair": PAIR}, FLOOR, LEFT_SIDE)
+    return _certificate(scene, SQUARE, {"0": [WALL]}, **chain)
+
+
+def bounded_chain() -> tuple[Json, Json]:
+    """A block that bounds of the reference point make a wall; the ring round it is not needed."""
+    block = rectangle(4.5, 1, 5.5, 3)
+    scene = _scene(SQUARE, [block], rotation=False, reference_bounds=[1, 0.75, 9, 3.25])
+    chain = _chain(CEILING, LEFT_SIDE, FLOOR, {"pair": PAIR})
+    return _certificate(scene, SQUARE, {"0": [block]}, **chain)
+
+
+def exact_gate(**fields: Any) -> tuple[Json, Json]:
+    """Through a gate as high as the square, which touches both blocks on its way."""
+    below, above = rectangle(4, 0, 6, 0.5), rectangle(4, 1.5, 6, 4)
+    scene = _scene(SQUARE, [below, above], **fields)
+    lines = [[0, 0, 0, 0, "right"], [0, 0, 1, 0, "left"]]
+    return _certificate(
+        scene,
+        SQUARE,
+        {"0": [below], "1": [above]},
+        verdict="path",
+        contact_tolerance=0.0,
+        waypoints=[[2, 1, 0, 0], [5, 1, 0, 0], [8, 1, 0, 0]],
+        segments=[
+            [{**_interval(0, 1), "along": lines}],
+            [_interval(0, 1, [0, 0, 0, 0, "obstacle", 2], [0, 0, 1, 0, "robot", 2])],
+        ],
+    )
+
+
+def fixed_exact_gate() -> tuple[Json, Json]:
+    """The same without turning."""
+    return exact_gate(rotation=False)
+
+
 HAND_MADE = {
     make.__name__: make
     for make in (
@@ -245,6 +291,10 @@ HAND_MADE = {
         bounded_path,
         fixed_path,
         bent_workspace,
+        chained_wall,
+        bounded_chain,
+        exact_gate,
+        fixed_exact_gate,
     )
 }
 

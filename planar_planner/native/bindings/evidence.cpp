@@ -129,10 +129,12 @@ NamedPolygon named(const pdg::Polygon& polygon, const std::uint32_t p) {
 }
 
 NamedInterval interval_of(const Evidence& e, const planner::ProvenInterval& proven) {
-  NamedInterval out{proven.interval.begin, proven.interval.end, {}};
+  NamedInterval out{proven.interval.begin, proven.interval.end, {}, {}};
   for (const planner::SeparatingEdge& edge : proven.edges)
     out.separators.push_back(
         {pair_name(e, edge.obstacle, edge.robot), {of_obstacle(edge.owner), edge.edge}});
+  for (const planner::SeparatingLine& line : proven.lines)
+    out.lines.push_back({pair_name(e, line.obstacle, line.robot), line.obstacle_left});
   return out;
 }
 
@@ -160,6 +162,16 @@ void add_disc(const planner::ScaledProblem& robot, const planner::ScaledProblem&
   for (const pdg::Vec2 v : asked.given.robot.points) out.disc.push_back(point(v));
   const PieceName holder = planner::robot_names(robot.robot)[e.disc_piece];
   out.disc_holder = {holder.polygon, holder.index};
+}
+
+void add_chain(const Evidence& e, NamedEvidence& out) {
+  for (const planner::ChainedSet& set : e.chain) {
+    NamedCollision& named = out.chain.emplace_back();
+    if (set.pair)
+      named.pair = pair_name(e, set.pair->obstacle, set.pair->robot);
+    else
+      named.wall = set.side;
+  }
 }
 
 void add_end(const Evidence& e, NamedEvidence& out) {
@@ -212,10 +224,14 @@ void add_path_types(nb::module_& m) {
   nb::class_<NamedSeparator>(m, "NamedSeparator")
       .def_ro("pair", &NamedSeparator::pair)
       .def_ro("edge", &NamedSeparator::edge);
+  nb::class_<NamedLine>(m, "NamedLine")
+      .def_ro("pair", &NamedLine::pair)
+      .def_ro("obstacle_left", &NamedLine::obstacle_left);
   nb::class_<NamedInterval>(m, "NamedInterval")
       .def_ro("begin", &NamedInterval::begin)
       .def_ro("end", &NamedInterval::end)
-      .def_ro("separators", &NamedInterval::separators);
+      .def_ro("separators", &NamedInterval::separators)
+      .def_ro("lines", &NamedInterval::lines);
 }
 
 }  // namespace
@@ -235,6 +251,7 @@ NamedEvidence evidence(planner::Planner& planner) {
       e.kind == planner::ClaimKind::kDisc ? by.disc_inside().problem() : robot;
   add_pieces(robot, asked, e, out);
   if (e.kind == planner::ClaimKind::kPath) add_path(e, out);
+  if (e.kind == planner::ClaimKind::kOddChain) add_chain(e, out);
   if (e.kind == planner::ClaimKind::kEnd) add_end(e, out);
   if (e.kind == planner::ClaimKind::kDisc) add_disc(robot, asked, e, out);
   if (absent) add_barrier(asked, e, out);
@@ -247,6 +264,7 @@ void add_evidence(nb::module_& m) {
       .value("PATH", planner::ClaimKind::kPath)
       .value("SEPARATION", planner::ClaimKind::kSeparation)
       .value("DISC", planner::ClaimKind::kDisc)
+      .value("ODD_CHAIN", planner::ClaimKind::kOddChain)
       .value("END", planner::ClaimKind::kEnd);
   add_claim_types(m);
   add_path_types(m);
@@ -269,6 +287,7 @@ void add_evidence(nb::module_& m) {
       .def_ro("full_faces", &NamedEvidence::full_faces)
       .def_ro("disc", &NamedEvidence::disc)
       .def_ro("disc_holder", &NamedEvidence::disc_holder)
+      .def_ro("chain", &NamedEvidence::chain)
       .def_ro("goal_end", &NamedEvidence::goal_end)
       .def_ro("out_of_bounds", &NamedEvidence::out_of_bounds)
       .def_ro("collision", &NamedEvidence::collision);

@@ -70,10 +70,17 @@ struct NamedSeparator {
   NamedEdge edge;
 };
 
+// The line of the segment separates this pair: the obstacle's piece is on this side of it.
+struct NamedLine {
+  PairName pair{};
+  bool obstacle_left = true;
+};
+
 // Part of a segment, and an edge for each pair that bounding boxes do not prove apart.
 struct NamedInterval {
   double begin = 0.0, end = 0.0;
   std::vector<NamedSeparator> separators;
+  std::vector<NamedLine> lines;
 };
 
 // The domain is origin + 2^-exponent [low, low + size], exactly.
@@ -99,6 +106,8 @@ struct NamedEvidence {
   // kDisc
   Vertices disc;
   std::array<std::uint32_t, 2> disc_holder{};  // polygon and piece of the robot
+  // kOddChain: pairs, and sides of the domain (the walls' numbers)
+  std::vector<NamedCollision> chain;
   // kEnd
   bool goal_end = false;  // else the start
   bool out_of_bounds = false;

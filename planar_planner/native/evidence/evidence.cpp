@@ -4,14 +4,11 @@
 
 namespace planner {
 
-namespace {
-
 void sort_unique(std::vector<std::uint32_t>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-// Obstacle polygons whose bounding box the robot's comes near on the way.
 void append_near_polygons(const ScaledProblem& problem, const ScaledConfiguration& from,
                           const ScaledConfiguration& to, std::vector<std::uint32_t>& out) {
   const SweptBox swept = swept_box(problem, from, to);
@@ -26,8 +23,6 @@ void append_near_polygons(const ScaledProblem& problem, const ScaledConfiguratio
       out.push_back(static_cast<std::uint32_t>(i));
   }
 }
-
-}  // namespace
 
 std::vector<PieceName> robot_names(const Robot& robot) {
   std::vector<PieceName> names;
@@ -50,8 +45,10 @@ std::vector<PieceName> obstacle_names(const ObstacleTree& tree) {
   return names;
 }
 
-bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, Evidence& evidence) {
-  SeparatingEdges edges(problem, tree);
+bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, const double share,
+                      Evidence& evidence) {
+  evidence.segments.clear();
+  SeparatingEdges edges(problem, tree, share);
   for (std::size_t i = 0; i + 1 < evidence.waypoints.size(); ++i) {
     const ScaledConfiguration from = scaled(problem, evidence.waypoints[i]);
     const ScaledConfiguration to = scaled(problem, evidence.waypoints[i + 1]);

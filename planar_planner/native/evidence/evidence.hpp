@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "barrier.hpp"
@@ -22,7 +23,14 @@ enum class ClaimKind : std::uint8_t {
   kPath,        // waypoints, segments
   kSeparation,  // barrier
   kDisc,        // barrier of a disc inside the robot
+  kOddChain,    // chain
   kEnd,         // an end is not free: witness, or out of the reference bounds
+};
+
+// A pair's open sum, or what lies beyond one side of the domain (Side).
+struct ChainedSet {
+  std::optional<Witness> pair;
+  std::uint16_t side = 0;
 };
 
 struct Evidence {
@@ -30,7 +38,8 @@ struct Evidence {
   std::vector<Configuration> waypoints;  // kPath: without legs into contact
   std::vector<std::vector<ProvenInterval>> segments;
   Barrier barrier;
-  bool at_goal = false;  // kEnd: the goal is not free; else the start
+  std::vector<ChainedSet> chain;  // each overlaps the next, the last one the first
+  bool at_goal = false;           // kEnd: the goal is not free; else the start
   bool out_of_bounds = false;
   Witness witness{};
   std::vector<PieceName> robot_names, obstacle_names;  // of the pieces above
@@ -41,8 +50,14 @@ struct Evidence {
 std::vector<PieceName> robot_names(const Robot& robot);
 std::vector<PieceName> obstacle_names(const ObstacleTree& tree);
 
-// Proves every segment of a certified path again, with its witnesses; false if one resists.
-bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, Evidence& evidence);
+// Proves every segment of a certified path again, with its witnesses; false if one resists. `share`
+// is that of SeparatingEdges.
+bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, double share,
+                      Evidence& evidence);
+// Obstacle polygons whose bounding box the robot's comes near on the way.
+void append_near_polygons(const ScaledProblem& problem, const ScaledConfiguration& from,
+                          const ScaledConfiguration& to, std::vector<std::uint32_t>& out);
+void sort_unique(std::vector<std::uint32_t>& values);
 // The polygons that the barrier's claims refer to.
 void collect_polygons(Evidence& evidence);
 

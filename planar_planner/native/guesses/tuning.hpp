@@ -23,9 +23,34 @@ inline constexpr double kShortestEdge = 0.6;
 // questions) and growing as far as it goes (open scenes: half as many again), over 100 seeds of
 // twelve scenes.
 inline constexpr double kLongestGrowth = 2.0;
-// Nodes passed over by a search for the nearest that take as long as one question of the hint.
-// From a comparison of the two; its figures were not kept.
-inline constexpr std::size_t kNodesPerCheck = 64;
+// A tree lags behind if the other one holds more than so many times as many boxes.
+inline constexpr std::size_t kLaggingBoxes = 2;
+// How far a tree's surroundings reach beyond it, relative to the robot's reach. Chosen.
+inline constexpr double kSurroundings = 1.0;
+// Work of one question of the hint, of one of its units (CollisionHint::work) and of one node
+// passed on the way to the nearest, in nanoseconds on one machine: by least squares over 61 maps,
+// each within a factor of two. Search::cells_work counts in the same unit.
+inline constexpr std::uint64_t kCheckWork = 60;
+inline constexpr std::uint64_t kHintWork = 4;
+inline constexpr std::uint64_t kNodeWork = 10;
+// Fewer nodes are walked one by one in less time than a k-d tree of them. Chosen.
+inline constexpr std::size_t kFewItems = 48;
+// Trees are growing if so many samples have led to at least so many boxes that were empty (a reach
+// times a reach times an eighth of a turn). Chosen: trees in closed rooms fill those within two
+// hundred samples.
+inline constexpr std::uint64_t kStockSamples = 128;
+inline constexpr std::uint64_t kNewBoxes = 2;
+
+// --- First try (first_try) ---
+// How far the trees' configurations are apart at first, relative to the robot's reach; by what
+// factor they come nearer after a path that could not be certified, and to what at the nearest.
+// Chosen. To look along a path eight times as finely before it is certified costs more than the
+// certificates that fail.
+inline constexpr double kTrySpacing = 0.25;
+inline constexpr double kFinerSpacing = 0.7;
+inline constexpr double kFinestSpacing = 0.01;
+// Work of one separating-axis function of a certificate, in the unit of kCheckWork.
+inline constexpr std::uint64_t kEvaluationWork = 70;
 
 // --- Goals of a region (goal_guesses) ---
 // Goals that trees grow from at most, and configurations asked about for them: more goals find more

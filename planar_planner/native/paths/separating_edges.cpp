@@ -170,7 +170,8 @@ bool SeparatingEdges::within_walls(const Part& part) {
   const pdg::PosedPiece hull = posed_.piece(problem_.robot.hull());
   for (std::uint32_t wall = 0; wall < tree_.wall_count(); ++wall) {
     const double error = separation_error(*hull.piece, tree_.piece(wall), part.motion);
-    if (obstacle_edge_least(hull, tree_.piece(wall).edges[0], part.motion) < error) return false;
+    if (obstacle_edge_least(hull, tree_.piece(wall).edges[0], part.motion) < share_ * error)
+      return false;
   }
   return true;
 }
@@ -201,7 +202,7 @@ bool SeparatingEdges::separate(const Part& part, const std::vector<std::uint32_t
         consider(pdg::EdgeOwner::kObstacle, k, obstacle_edge_least(a, b.edges[k], m));
       for (std::size_t k = 0; k < a.normals.size(); ++k)
         consider(pdg::EdgeOwner::kRobot, k, robot_edge_least(a, k, b, m));
-      if (best < error) return false;
+      if (best < share_ * error) return false;
       out.edges.push_back(edge);
     }
   }

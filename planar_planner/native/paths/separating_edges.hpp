@@ -22,15 +22,27 @@ struct SeparatingEdge {
   pdg::EdgeOwner owner;
 };
 
+// A pair that the line of a translation separates: the obstacle's piece, less the robot's, lies on
+// one side of it.
+struct SeparatingLine {
+  std::uint32_t obstacle;
+  std::uint16_t robot;
+  bool obstacle_left;
+};
+
 struct ProvenInterval {
   Interval interval;
   std::vector<SeparatingEdge> edges;  // pairs whose bounding boxes do not prove them apart
+  std::vector<SeparatingLine> lines;  // the same, of exact paths
 };
 
 class SeparatingEdges {
  public:
-  SeparatingEdges(const ScaledProblem& problem, ObstacleTree& tree)
-      : problem_(problem), tree_(tree), posed_(problem.robot) {}
+  // Edges have to separate by `share` of the rounding error of their functions. With 1 they do
+  // separate. With less an exact check has to follow: it succeeds where the rounding is less than
+  // its bound.
+  SeparatingEdges(const ScaledProblem& problem, ObstacleTree& tree, const double share)
+      : problem_(problem), tree_(tree), share_(share), posed_(problem.robot) {}
 
   // Ablation that follow one another from 0 to 1; empty if the motion is not free, or if it would
   // take too many. Whatever SegmentTest certifies passes: this bound shrinks with the square of the
@@ -51,6 +63,7 @@ class SeparatingEdges {
 
   const ScaledProblem& problem_;
   ObstacleTree& tree_;
+  double share_;
   ScaledConfiguration from_, to_;
   PosedRobot posed_;
   std::vector<std::uint32_t> gathered_;

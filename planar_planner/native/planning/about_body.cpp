@@ -29,6 +29,7 @@ void Planner::prepare_about_body(const Ablation& ablation) {
   shifted.robot = about_point(shifted.robot, *point);
   Ablation once = ablation;
   once.shift = false;
+  once.layers = false;  // they are as good in the robot's own frame
   about_body_ = std::make_unique<Planner>(std::move(shifted), once);
   point_ = *point;
 }
@@ -42,7 +43,10 @@ std::optional<Answer> Planner::solve_about_body(const Configuration& start,
   Query query(
       start, goal, nullptr, limits, [&] { return watch.elapsed(); },
       [&](const Usage& usage, const auto& progress) { return watch.check(usage, progress); });
-  if (ends_not_free(query)) return std::nullopt;
+  if (ends_settle_it(query, start, goal) || query.in_contact) {
+    layer_.reset();
+    return std::nullopt;
+  }
   Planner& body = *about_body_;
   const double reach = std::max(std::max(std::abs(query.start.x), std::abs(query.start.y)),
                                 std::max(std::abs(query.goal.x), std::abs(query.goal.y)));
@@ -55,6 +59,7 @@ std::optional<Answer> Planner::solve_about_body(const Configuration& start,
   if (!take_over(query, start, goal)) return std::nullopt;
   by_body_ = true;
   Answer& answer = query.answer;
+  if (answer.stop_reason == StopReason::kResolution) settle_resolution(query, start, goal);
   remember(query, start, goal);
   settle_lifted_ends(query, start, goal);
   Statistics& all = answer.statistics;

@@ -8,8 +8,8 @@
 #include "limit_watch.hpp"
 #include "planar_planner/native/cells/census.hpp"
 #include "planar_planner/native/configurations/reference_point.hpp"
+#include "planar_planner/native/evidence/layer_evidence.hpp"
 #include "planar_planner/native/guesses/goal_guesses.hpp"
-#include "planar_planner/native/guesses/rrt_connect.hpp"
 #include "planar_planner/native/search/channel.hpp"
 #include "planar_planner/native/search/goal_cells.hpp"
 #include "planar_planner/native/search/search.hpp"
@@ -55,6 +55,7 @@ Planner::Planner(Problem given, const Ablation& ablation) {
 Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits& limits,
                       const Listener& listener) {
   by_body_ = false;
+  layer_.reset();
   const auto* const place = std::get_if<Configuration>(&goal);
   if (about_body_ && place != nullptr)
     if (auto answer = solve_about_body(start, *place, limits, listener)) return std::move(*answer);
@@ -63,15 +64,19 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
   LimitWatch watch(limits, listener);
   Query query(
       start, goal, region ? &*region : nullptr, limits, [&] { return watch.elapsed(); },
-      [&](const Usage& usage, const auto& progress) { return watch.check(usage, progress); });
+      [&](const Usage& usage, const auto& progress) {
+        if (usage.cells >= pause_) return std::optional(StopReason::kMaxCells);
+        return watch.check(usage, progress);
+      });
   statistics_ = {};
   statistics_.seconds.preprocessing = std::exchange(preprocessing_, 0.0);
   CollisionHint hint(problem_, *tree_);
-  const bool cheap = problem_.ablation.cheap;
-  if (!ends_not_free(query) &&
-      !(cheap && (cheap_move(query, hint) || disc_answer(query, goal, listener))) &&
-      !(problem_.ablation.probe && probe(query, hint)))
-    subdivide(query);
+  std::optional<FirstTry> first_try;
+  if (!ends_settle_it(query, start, goal) &&
+      (query.in_contact || !guess(query, hint, goal, listener, first_try)) &&
+      !small_subdivision(query, start, goal, first_try ? &*first_try : nullptr))
+    subdivide(query, first_try ? &*first_try : nullptr);
+  if (query.answer.stop_reason == StopReason::kResolution) settle_resolution(query, start, goal);
   confirm_absence(query, start, goal);
   remember(query, start, goal);
   settle_lifted_ends(query, start, goal);
@@ -82,11 +87,17 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
 Answer Planner::solve_certified(const Configuration& start, const Goal& goal, const Limits& limits,
                                 const Listener& listener) {
   Answer answer = solve(start, goal, limits, listener);
-  if (answer.verdict != Verdict::kPath) return answer;
+  if (answer.verdict != Verdict::kPath || layer_) return answer;
   Evidence evidence;
   evidence.waypoints = last_.waypoints;
-  if (collect_segments(problem_, *tree_, evidence)) return answer;
-  last_ = {Verdict::kUndecided, std::nullopt, start, goal, {}};
+  for (const double share : {1.0, kClosestShare}) {
+    last_.share = share;
+    answer.to_be_checked = share < 1.0;
+    if (collect_segments(problem_, *tree_, share, evidence)) return answer;
+  }
+  answer.to_be_checked = false;
+  if (exact_instead(answer, start, goal)) return answer;
+  last_ = {Verdict::kUndecided, std::nullopt, start, goal, {}, 1.0};
   answer.verdict = Verdict::kUndecided;
   answer.stop_reason = StopReason::kNoEvidence;
   answer.ends_moved = false;
@@ -98,13 +109,71 @@ Answer Planner::solve_certified(const Configuration& start, const Goal& goal, co
   return answer;
 }
 
+// What is certified with rounding, before there are cells.
+bool Planner::guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener,
+                    std::optional<FirstTry>& first_try) {
+  const Ablation& parts = problem_.ablation;
+  return (parts.cheap && (cheap_move(query, hint) || disc_answer(query, goal, listener))) ||
+         (parts.probe && probe(query, hint, first_try));
+}
+
+// A few cells first, which tell most scenes and show where a way is shut; then the exact decision,
+// which costs no more in scenes where everything fits exactly; all cells only after that.
+bool Planner::small_subdivision(Query& query, const Configuration& start, const Goal& goal,
+                                FirstTry* const first_try) {
+  if (problem_.rotation || !problem_.ablation.layers || query.limits.max_cells <= kCellsBeforeLayer)
+    return false;
+  pause_ = kCellsBeforeLayer;
+  subdivide(query, first_try);
+  pause_ = kNoPause;
+  if (query.stopped_by != StopReason::kMaxCells) return true;
+  query.stopped_by.reset();
+  return layer_answer(query, start, goal);
+}
+
+// The cells tell no more, since what is left touches. A way on which the robot does not turn may.
+void Planner::settle_resolution(Query& query, const Configuration& start, const Goal& goal) {
+  if (layer_answer(query, start, goal)) return;
+  if (query.in_contact) query.leave_undecided(*query.in_contact);
+}
+
+// The exact decision is about the user's own ends.
+bool Planner::layer_answer(Query& query, const Configuration& start, const Goal& goal) {
+  const auto* const own = std::get_if<Configuration>(&goal);
+  if (!problem_.ablation.layers || own == nullptr || query.lifted) return false;
+  layer_ = decide_in_layer(problem_, start, *own);
+  if (!layer_) return false;
+  if (layer_->chain.empty()) return conclude_path(query, layer_->waypoints, DecidedBy::kTautPath);
+  query.decide(Verdict::kNoPath, DecidedBy::kOddChain);
+  return true;
+}
+
+// A path in place of one whose evidence cannot be written: exactly, without turning.
+bool Planner::exact_instead(Answer& answer, const Configuration& start, const Goal& goal) {
+  const auto* const own = std::get_if<Configuration>(&goal);
+  if (own == nullptr || answer.ends_moved || !problem_.ablation.layers) return false;
+  layer_ = decide_in_layer(problem_, start, *own);
+  if (!layer_ || !layer_->chain.empty()) {
+    layer_.reset();
+    return false;
+  }
+  answer.path = report_path(layer_->waypoints);
+  answer.statistics.decided_by = DecidedBy::kTautPath;
+  answer.statistics.path_length = answer.path.length;
+  answer.statistics.path_turning = answer.path.turning;
+  answer.statistics.waypoints = answer.path.waypoints.size();
+  return true;
+}
+
 // A colliding end has no path; one in contact is moved off by the contact tolerance, if it allows.
-bool Planner::ends_not_free(Query& query) {
+bool Planner::ends_settle_it(Query& query, const Configuration& start, const Goal& goal) {
   for (Configuration* const end : {&query.start, &query.goal}) {
     if (end == &query.goal && query.region != nullptr) break;
     const bool at_start = end == &query.start;
     const Placement p = placement(*end);
     if (p.state == PlacementState::kFree) continue;
+    // Rounded arithmetic tells no more of an end in contact; exact arithmetic may.
+    if (p.state == PlacementState::kContact && layer_answer(query, start, goal)) return true;
     if (p.state != PlacementState::kOutside && p.depth <= query.limits.contact_tolerance &&
         query.limits.contact_tolerance > 0.0) {
       if (const auto moved = lift_off(problem_, *segments_, *end, query.limits.contact_tolerance)) {
@@ -113,12 +182,13 @@ bool Planner::ends_not_free(Query& query) {
         continue;
       }
     }
-    // Where rounding cannot tell touching from penetration, neither a path nor its absence can be
-    // certified from here.
-    if (p.state == PlacementState::kContact)
-      query.leave_undecided(touches(at_start, p.wall));
-    else
-      query.decide(Verdict::kNoPath, at_start ? DecidedBy::kStart : DecidedBy::kGoal);
+    // Where rounding cannot tell touching from penetration, no path can be certified from here, but
+    // its absence can.
+    if (p.state == PlacementState::kContact) {
+      if (!query.in_contact) query.in_contact = touches(at_start, p.wall);
+      continue;
+    }
+    query.decide(Verdict::kNoPath, at_start ? DecidedBy::kStart : DecidedBy::kGoal);
     return true;
   }
   return false;
@@ -157,35 +227,21 @@ bool Planner::conclude_path(Query& query, std::vector<Configuration> path, const
   return true;
 }
 
-// Two random trees, of whose path only its certificate is believed.
-bool Planner::probe(Query& query, CollisionHint& hint) {
+// The first try; it goes on beside the cells if it has not found a path by itself.
+bool Planner::probe(Query& query, CollisionHint& hint, std::optional<FirstTry>& first_try) {
   const Terminator stop = [&] { return query.clock() >= query.limits.timeout; };
-  const std::uint64_t calls_before = hint.calls();
   const std::vector<Configuration> goals =
       query.region == nullptr ? std::vector{query.goal}
                               : free_goals(*query.region, hint, problem_, query.start);
   if (goals.empty()) return false;
-  const std::size_t obstacles = all_obstacles(problem_).size();
-  const RrtConnect::Budget budget{
-      std::min(kProbeChecks + kProbeChecksPerObstacle * obstacles, kMostProbeChecks),
-      std::min(kProbeWork + kProbeWorkPerObstacle * obstacles, kMostProbeWork) + hint.work()};
-  RrtConnect trees(problem_, hint, budget, query.start, goals);
-  const std::uint64_t by_discs = statistics_.probe_checks;
-  double spacing = kProbeSpacing * problem_.robot.reach;
-  for (int paths = 0; paths < kProbePaths; ++paths, spacing *= kFinerSpacing) {
-    std::vector<Configuration> path;
-    {
-      const Stopwatch watch(query.clock, statistics_.seconds.probe);
-      path = trees.find(spacing, stop);
-      statistics_.probe_checks = by_discs + hint.calls() - calls_before;
-    }
-    if (path.empty()) return false;
-    const Stopwatch watch(query.clock, statistics_.seconds.path);
-    const auto bad = certify_shortened(problem_, *tree_, *segments_, hint, path, stop);
-    if (!bad) return conclude_path(query, std::move(path), DecidedBy::kFirstTry);
-    trees.reject(*bad);
-  }
-  return false;
+  first_try.emplace(problem_, *tree_, *segments_, hint, statistics_, query.clock, query.start,
+                    goals);
+  const std::uint64_t most = kTryWork + kTryWorkPerVertex * all_obstacles(problem_).points();
+  std::vector<Configuration> path;
+  while (path.empty() && first_try->work() < most && !stop() &&
+         (first_try->promising() || first_try->work() < kLeastTryWork))
+    path = first_try->go_on(std::min(kLeastTryWork, most - first_try->work()), stop);
+  return !path.empty() && conclude_path(query, std::move(path), DecidedBy::kFirstTry);
 }
 
 bool Planner::disc_answer(Query& query, const Goal& goal, const Listener& listener) {
@@ -242,9 +298,9 @@ void Planner::prepare_subdivision(const Query& query) {
   faces_ = std::make_unique<FaceTest>(*subdivision_, *labeller_, statistics_);
 }
 
-void Planner::subdivide(Query& query) {
+void Planner::subdivide(Query& query, FirstTry* const first_try) {
   prepare_subdivision(query);
-  Search(problem_, *tree_, *subdivision_, *faces_, *segments_, statistics_, query).run();
+  Search(problem_, *tree_, *subdivision_, *faces_, *segments_, statistics_, query, first_try).run();
 }
 
 // Every leaf that the exact configuration can lie in.
@@ -315,15 +371,18 @@ void Planner::complete_answer(Query& query) {
 
 void Planner::remember(const Query& query, const Configuration& start, const Goal& goal) {
   const Answer& answer = query.answer;
-  last_ = {answer.verdict, answer.statistics.decided_by, start, goal, answer.path.waypoints};
+  last_ = {answer.verdict, answer.statistics.decided_by, start, goal, answer.path.waypoints, 1.0};
 }
 
 Evidence Planner::evidence() {
+  if (layer_)
+    return layer_->chain.empty() ? path_evidence(problem_, layer_->layer, layer_->waypoints)
+                                 : chain_evidence(layer_->layer, layer_->chain);
   if (by_body_ && last_.verdict == Verdict::kNoPath) return about_body_->evidence();
   Evidence out;
   if (last_.verdict == Verdict::kPath) {
     out.waypoints = last_.waypoints;
-    if (collect_segments(problem_, *tree_, out)) out.kind = ClaimKind::kPath;
+    if (collect_segments(problem_, *tree_, last_.share, out)) out.kind = ClaimKind::kPath;
   } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == DecidedBy::kDisc) {
     out = disc_inside_->evidence();
     if (out.kind == ClaimKind::kSeparation) out.kind = ClaimKind::kDisc;
@@ -347,7 +406,7 @@ Evidence Planner::evidence() {
 }
 
 double Planner::least_clearance() {
-  if (last_.verdict != Verdict::kPath) return 0.0;
+  if (last_.verdict != Verdict::kPath || layer_) return 0.0;
   if (by_body_)
     return reference_path_clearance(about_body_->problem_, *about_body_->tree_, point_,
                                     last_.waypoints);

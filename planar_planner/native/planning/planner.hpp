@@ -6,11 +6,13 @@
 #include <optional>
 #include <vector>
 
+#include "layer_decision.hpp"
 #include "planar_planner/native/cells/cell_table.hpp"
 #include "planar_planner/native/cells/face.hpp"
 #include "planar_planner/native/cells/subdivision.hpp"
 #include "planar_planner/native/evidence/evidence.hpp"
 #include "planar_planner/native/evidence/thinnest_wall.hpp"
+#include "planar_planner/native/guesses/first_try.hpp"
 #include "planar_planner/native/limits.hpp"
 #include "planar_planner/native/paths/collision.hpp"
 #include "planar_planner/native/paths/placement.hpp"
@@ -37,8 +39,9 @@ class Planner {
   Placement placement(const Configuration& q);
   Answer solve(const Configuration& start, const Goal& goal, const Limits& limits,
                const Listener& listener);
-  // The same, but a path whose evidence cannot be written is left undecided: its room is within the
-  // rounding of the evidence's bounds.
+  // The same, with a path for which evidence can be written. Where its room is within the bound of
+  // rounding, the evidence has to be checked exactly (Answer::to_be_checked); where even less is
+  // left, an exact path may take its place, or the query is left undecided.
   Answer solve_certified(const Configuration& start, const Goal& goal, const Limits& limits,
                          const Listener& listener);
   PathCheck check_path(std::vector<Configuration> path);
@@ -60,6 +63,8 @@ class Planner {
   [[nodiscard]] Vec2 planned_point() const { return by_body_ ? point_ : Vec2{}; }
 
  private:
+  static constexpr std::uint64_t kNoPause = UINT64_MAX;
+
   // about_body.cpp
   void prepare_about_body(const Ablation& ablation);
   std::optional<Answer> solve_about_body(const Configuration& start, const Configuration& goal,
@@ -67,15 +72,22 @@ class Planner {
   bool take_over(Query& query, const Configuration& start, const Configuration& goal);
   bool retrace(Query& query);
 
-  bool ends_not_free(Query& query);
+  bool exact_instead(Answer& answer, const Configuration& start, const Goal& goal);
+  bool ends_settle_it(Query& query, const Configuration& start, const Goal& goal);
+  bool guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener,
+             std::optional<FirstTry>& first_try);
+  bool small_subdivision(Query& query, const Configuration& start, const Goal& goal,
+                         FirstTry* first_try);
+  void settle_resolution(Query& query, const Configuration& start, const Goal& goal);
   bool cheap_move(Query& query, CollisionHint& hint);
   bool cheap_move_to(Query& query, CollisionHint& hint, const Configuration& goal,
                      const Terminator& stop);
-  bool probe(Query& query, CollisionHint& hint);
+  bool probe(Query& query, CollisionHint& hint, std::optional<FirstTry>& first_try);
   bool disc_answer(Query& query, const Goal& goal, const Listener& listener);
   Answer ask_disc(Planner& disc, Query& query, const Goal& goal, const Listener& listener);
+  bool layer_answer(Query& query, const Configuration& start, const Goal& goal);
   bool conclude_path(Query& query, std::vector<Configuration> path, DecidedBy by);
-  void subdivide(Query& query);
+  void subdivide(Query& query, FirstTry* first_try);
   void prepare_subdivision(const Query& query);
   void complete_answer(Query& query);
   void remember(const Query& query, const Configuration& start, const Goal& goal);
@@ -91,6 +103,7 @@ class Planner {
     Configuration start;
     Goal goal;
     std::vector<Configuration> waypoints;
+    double share = 1.0;  // of the rounding's bound, that its evidence keeps off
   };
 
   ScaledProblem problem_;
@@ -102,8 +115,10 @@ class Planner {
   std::unique_ptr<SegmentTest> segments_;
   std::unique_ptr<Subdivision> subdivision_;
   std::unique_ptr<FaceTest> faces_;
+  std::optional<LayerDecision> layer_;  // of the last query, if that was decided exactly
   std::unique_ptr<Planner> disc_round_, disc_inside_;
   bool disc_prepared_ = false;
+  std::uint64_t pause_ = kNoPause;  // cells at which the search stops for the exact decision
   double end_error_ = 0.0;  // the ends asked may be off the exact ones by so much; user's units
   // The same problem about a point of the body, if the origin of the robot's frame is far from it.
   std::unique_ptr<Planner> about_body_;

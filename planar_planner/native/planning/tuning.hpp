@@ -12,29 +12,30 @@ namespace planner {
 // measurement is on record.
 inline constexpr std::uint64_t kDiscCells = 4000;
 
-// Configurations that the first try by trees may ask about, some tenths of a millisecond, and as
-// many more for every obstacle, as the cells that it may spare grow with their number too; and work
-// that each may cost where robot and obstacles have many edges, in units of CollisionHint::work.
-// What the first try costs and spares with these is measured in docs/method.md ("Alternatives,
-// and why not"); the single values were chosen.
-inline constexpr std::uint64_t kProbeChecks = 2500;
-inline constexpr std::uint64_t kProbeChecksPerObstacle = 5;
-inline constexpr std::uint64_t kMostProbeChecks = 20'000;
-inline constexpr std::uint64_t kProbeWork = 2'000'000;
-inline constexpr std::uint64_t kProbeWorkPerObstacle = 8'000;
-inline constexpr std::uint64_t kMostProbeWork = 20'000'000;
-
-// How far the tries' configurations are apart at first, relative to the robot's reach; by what
-// factor they come nearer after a path that could not be certified; and how many paths are tried.
-// Chosen; no measurement is on record.
-inline constexpr double kProbeSpacing = 0.25;
-inline constexpr double kFinerSpacing = 0.7;
-inline constexpr int kProbePaths = 16;
+// Work of the first try before there is a cell, and as much more for every vertex of an obstacle,
+// as the cells that it may spare cost more then too: the least that cells cost on 61 open scenes
+// and maps was half a microsecond a vertex. Trees that are shut in get the least. In nanoseconds on
+// one machine (guesses/tuning.hpp, kCheckWork).
+inline constexpr std::uint64_t kLeastTryWork = 350'000;
+inline constexpr std::uint64_t kTryWork = 500'000;
+inline constexpr std::uint64_t kTryWorkPerVertex = 400;
 
 // Configurations of each leg that are looked at, the middle first, before a certificate of it is
 // begun: one that must fail costs more than these looks. Chosen: the eighths.
 inline constexpr std::array<double, 7> kGlances = {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};
 
+// Cells before a layer is decided exactly: some milliseconds. Chosen: the shipped scenes of robots
+// that may not turn take fewer.
+inline constexpr std::uint64_t kCellsBeforeLayer = 2000;
+
+// Evidence may come so near to touching, as a part of the bound of rounding, if it is then checked
+// exactly. The rounding itself is far less than its bound. Chosen.
+inline constexpr double kClosestShare = 0.25;
+
+// The size of a layer that is decided exactly, in convex sums and in their vertices. Chosen: about
+// a tenth of a second.
+inline constexpr std::size_t kMostLayerSums = 100'000;
+inline constexpr std::size_t kMostLayerVertices = 1'000'000;
 // The way of a far reference point: the part of the body's room along a segment that the arc's
 // deviation may take up before the segment is halved instead, how often one is halved, and how many
 // waypoints there may be. Chosen, not tuned: half the room makes fewer waypoints, but evidence that

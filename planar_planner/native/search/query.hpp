@@ -20,6 +20,7 @@ struct Answer {
   std::optional<StopReason> stop_reason;  // kUndecided
   std::optional<StopReason> stopped_by;   // a limit or the listener, whatever the verdict
   bool ends_moved = false;                // off a contact, within the contact tolerance
+  bool to_be_checked = false;             // the evidence's room is within the rounding's bound
   PathReport path;                        // kPath
   Statistics statistics;
 };
@@ -34,6 +35,7 @@ struct Query {
   Answer answer;
   std::optional<StopReason> stopped_by;  // a limit that was reached, or the listener
   bool lifted = false;                   // an end in contact was moved off
+  std::optional<StopReason> in_contact;  // of an end that was not: a path cannot be certified
 
   Query(const Configuration& s, const Goal& g, const GoalRegion* r, const Limits& l, Clock seconds,
         LimitCheck stop)

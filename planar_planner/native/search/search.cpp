@@ -9,7 +9,8 @@
 namespace planner {
 
 Search::Search(const ScaledProblem& problem, ObstacleTree& tree, Subdivision& subdivision,
-               FaceTest& faces, SegmentTest& segments, Statistics& statistics, Query& query)
+               FaceTest& faces, SegmentTest& segments, Statistics& statistics, Query& query,
+               FirstTry* const first_try)
     : problem_(problem),
       tree_(tree),
       subdivision_(subdivision),
@@ -21,7 +22,9 @@ Search::Search(const ScaledProblem& problem, ObstacleTree& tree, Subdivision& su
       goal_point_(dyadic_point(problem, query.goal)),
       channels_(subdivision, statistics),
       ridge_(problem, tree, subdivision, segments, statistics),
-      survey_(problem, tree, subdivision, segments, statistics) {
+      survey_(problem, tree, subdivision, segments, statistics),
+      first_try_(first_try) {
+  work_before_ = cells_work();
   if (query.region != nullptr) goals_.emplace(*query.region, subdivision);
 }
 
@@ -72,7 +75,7 @@ void Search::run() {
       if (channels_.passes_barrier(channel)) return query_.leave_undecided(StopReason::kResolution);
     }
     statistics_.channel_length = channel.size();
-    if (try_ridge(channel)) return;
+    if (try_trees() || try_ridge(channel)) return;
     if (split_stuck(channel)) {
       if (query_.answer.verdict == Verdict::kPath) return;
       continue;
@@ -264,6 +267,29 @@ bool Search::finish(const std::vector<CellId>& channel) {
     return false;
   }
   conclude_path(std::move(path), DecidedBy::kChannel);
+  return true;
+}
+
+// Work of cells and search so far, in nanoseconds on one machine (tuning.hpp).
+std::uint64_t Search::cells_work() const {
+  const std::uint64_t tried = first_try_ == nullptr ? 0 : first_try_->evaluations();
+  return kLabelWork * statistics_.labelled_cells + kStepWork * statistics_.search_expansions +
+         kSeparationWork * (statistics_.separation_evaluations - tried);
+}
+
+// The first try takes turns with the cells: it does a part of the work that they have done since
+// its last turn, a larger one while its trees reach new places. So the cells lose at most that part
+// by it. True if the query is answered, or stopped.
+bool Search::try_trees() {
+  if (first_try_ == nullptr) return false;
+  const std::uint64_t since = cells_work() - work_before_;
+  const std::uint64_t turn =
+      since / (first_try_->promising() ? kGrowingTreesShare : kStuckTreesShare);
+  if (turn < kLeastTurn) return false;
+  work_before_ += since;
+  std::vector<Configuration> path = first_try_->go_on(turn, [this] { return stop(); });
+  if (path.empty()) return query_.stopped_by.has_value();
+  conclude_path(std::move(path), DecidedBy::kFirstTry);
   return true;
 }
 

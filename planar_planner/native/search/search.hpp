@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "channel.hpp"
+#include "channel_survey.hpp"
 #include "goal_cells.hpp"
 #include "planar_planner/native/cells/census.hpp"
 #include "planar_planner/native/cells/face.hpp"
 #include "planar_planner/native/cells/subdivision.hpp"
-#include "planar_planner/native/guesses/channel_survey.hpp"
+#include "planar_planner/native/guesses/first_try.hpp"
 #include "planar_planner/native/guesses/ridge_attempts.hpp"
 #include "planar_planner/native/paths/segment.hpp"
 #include "planar_planner/native/world/scaled_problem.hpp"
@@ -23,7 +24,8 @@ namespace planner {
 class Search {
  public:
   Search(const ScaledProblem& problem, ObstacleTree& tree, Subdivision& subdivision,
-         FaceTest& faces, SegmentTest& segments, Statistics& statistics, Query& query);
+         FaceTest& faces, SegmentTest& segments, Statistics& statistics, Query& query,
+         FirstTry* first_try = nullptr);
 
   // Concludes the query.
   void run();
@@ -42,6 +44,8 @@ class Search {
   void resolve_doubts(const std::vector<std::pair<CellId, CellId>>& links);
   CellId resolve_doubt(CellId a, CellId b);
   bool finish(const std::vector<CellId>& channel);
+  [[nodiscard]] std::uint64_t cells_work() const;
+  bool try_trees();
   bool try_ridge(const std::vector<CellId>& channel);
   bool split_stuck(const std::vector<CellId>& channel);
   void join_solid(CellId a, CellId b);
@@ -73,6 +77,8 @@ class Search {
   RidgeAttempts ridge_;
   ChannelSurvey survey_;
   std::uint64_t survey_work_ = 0;  // of Statistics::axis_work(), what surveys have cost
+  FirstTry* first_try_;            // goes on beside the cells; null if there is none
+  std::uint64_t work_before_ = 0;  // cells_work when it had its last turn
 };
 
 }  // namespace planner

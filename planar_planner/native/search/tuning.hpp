@@ -41,6 +41,17 @@ inline constexpr float kBatch = 0.7F;
 // largest cells of the channel. 1 and 4 decide the same families.
 inline constexpr std::uint64_t kSurveyFrom = 8192;
 inline constexpr std::uint64_t kSurveyShare = 1;
+// Work of labelling a cell, of one separating-axis function for it and of one step of the search,
+// in nanoseconds on one machine: by least squares over 61 open scenes and maps, each within a third
+// of its time. guesses/tuning.hpp counts the first try's work in the same unit.
+inline constexpr std::uint64_t kLabelWork = 1300;
+inline constexpr std::uint64_t kSeparationWork = 70;
+inline constexpr std::uint64_t kStepWork = 160;
+// The parts of the cells' work that the first try may do while its trees grow, and after that; and
+// the least work of one turn, since each turn costs a little. Chosen.
+inline constexpr std::uint64_t kGrowingTreesShare = 16;
+inline constexpr std::uint64_t kStuckTreesShare = 64;
+inline constexpr std::uint64_t kLeastTurn = 20'000;
 
 // Goal cells that turn out to hold no free goal before small leaves are put aside for the first
 // time; each time so many times as many. Fewer: goals that are nearly found wait for others.

@@ -8,10 +8,11 @@
 
 from __future__ import annotations
 
-import importlib
-from typing import TYPE_CHECKING, Any
+TYPE_CHECKING = False  # as typing says: the command line starts without importing typing
 
 if TYPE_CHECKING:
+    from typing import Any
+
     from planar_planner.checker.verify import Verification, verify_certificate
     from planar_planner.errors import (
         CertificateError,
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
         OutputError,
         PlannerError,
         SceneError,
+        VerificationTimeoutError,
     )
     from planar_planner.explain.cells import Cells, cells_on_path, theta_slice
     from planar_planner.explain.thinnest_place import Bottleneck
@@ -41,6 +43,7 @@ if TYPE_CHECKING:
         Undecided,
     )
     from planar_planner.scene.goal_forms import Escape, GoalRegion
+    from planar_planner.scene.import_report import ImportReport
     from planar_planner.scene.model import Scene
 
     __version__: str
@@ -50,10 +53,12 @@ _HOMES = {
     "Cells": "explain.cells",
     "CertificateError": "errors",
     "CertificateRejected": "errors",
+    "VerificationTimeoutError": "errors",
     "DecidedBy": "planning.outcome",
     "Escape": "scene.goal_forms",
     "GoalRegion": "scene.goal_forms",
     "ImportOptions": "formats.parts",
+    "ImportReport": "scene.import_report",
     "Listener": "planning.engine",
     "Margin": "margins.result",
     "NarrowPlace": "margins.result",
@@ -90,6 +95,7 @@ __all__ = [
     "Escape",
     "GoalRegion",
     "ImportOptions",
+    "ImportReport",
     "Listener",
     "Margin",
     "NarrowPlace",
@@ -109,6 +115,7 @@ __all__ = [
     "StopReason",
     "Undecided",
     "Verification",
+    "VerificationTimeoutError",
     "cells_on_path",
     "load_scene",
     "margin",
@@ -127,6 +134,8 @@ def __getattr__(name: str) -> Any:
         return globals()[name]
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    import importlib
+
     value = getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)
     globals()[name] = value
     return value

@@ -22,7 +22,9 @@ class DecidedBy(enum.StrEnum):
     FIRST_TRY = "RRT-Connect"
     CHANNEL = "channel"
     RIDGE = "ridge"
+    TAUT_PATH = "taut path"
     SEPARATION = "separation"
+    ODD_CHAIN = "odd chain"
     START = "start"
     GOAL = "goal"
     def __str__(self) -> str: ...
@@ -188,7 +190,8 @@ class ClaimKind(enum.Enum):
     PATH = 1
     SEPARATION = 2
     DISC = 3
-    END = 4
+    ODD_CHAIN = 4
+    END = 5
 
 class NamedPolygon:
     @property
@@ -248,6 +251,12 @@ class NamedSeparator:
     @property
     def edge(self) -> NamedEdge: ...
 
+class NamedLine:
+    @property
+    def pair(self) -> _PairName: ...
+    @property
+    def obstacle_left(self) -> bool: ...
+
 class NamedInterval:
     @property
     def begin(self) -> float: ...
@@ -255,6 +264,8 @@ class NamedInterval:
     def end(self) -> float: ...
     @property
     def separators(self) -> list[NamedSeparator]: ...
+    @property
+    def lines(self) -> list[NamedLine]: ...
 
 class NamedDomain:
     @property
@@ -293,6 +304,8 @@ class NamedEvidence:
     def disc(self) -> list[_Point]: ...
     @property
     def disc_holder(self) -> list[int]: ...
+    @property
+    def chain(self) -> list[NamedCollision]: ...
     @property
     def goal_end(self) -> bool: ...
     @property

@@ -16,14 +16,16 @@ ROBOT_PIECES, OBSTACLE_PIECES, OUTSIDE = "robot_pieces", "obstacle_pieces", "out
 
 # A path.
 CONTACT_TOLERANCE, WAYPOINTS, SEGMENTS = "contact_tolerance", "waypoints", "segments"
-FROM, TO, APART = "from", "to", "apart"
+FROM, TO, APART, ALONG = "from", "to", "apart", "along"
 
-# No path: a separation, of the robot or of a disc inside it; an end that is not free.
+# No path: a separation, of the robot or of a disc inside it; a closed chain of open sums; an end
+# that is not free.
 CLAIM = "claim"
 DOMAIN, LOW, SIZE = "domain", "low", "size"
 START_SIDE, FULL, FULL_FACES = "start_side", "full", "full_faces"
 REFERENCE = "reference"
 DISC, INSIDE = "disc", "inside"
+CHAIN, SIDE = "chain", "side"
 END, REFERENCE_BOUNDS = "end", "reference_bounds"
 
 # A claim that the robot collides.
@@ -32,9 +34,11 @@ PAIR, WALL, JOINT = "pair", "wall", "joint"
 AXES, EDGES, SUMS = "axes", "edges", "sums"
 OWNER, EDGE, VERTEX, WEIGHT = "owner", "edge", "vertex", "weight"
 
-# Words under `verdict`, `claim`, `end`, `owner` and `wall`.
+# Words under `verdict`, `claim`, `end`, `owner`, `wall` and `side`, and of `along`.
 PATH, NO_PATH = "path", "no_path"
-SEPARATION_CLAIM, DISC_CLAIM, END_CLAIM = "separation", "disc", "end"
+SEPARATION_CLAIM, DISC_CLAIM = "separation", "disc"
+CHAIN_CLAIM, END_CLAIM = "odd_chain", "end"
 START, GOAL = "start", "goal"
 ROBOT, OBSTACLE = "robot", "obstacle"
+LEFT, RIGHT = "left", "right"
 X_MIN, X_MAX, Y_MIN, Y_MAX = WALLS = ("x_min", "x_max", "y_min", "y_max")

@@ -72,6 +72,10 @@ class OutputError(PlannerError):
     """A file or stream that cannot be written."""
 
 
+class VerificationTimeoutError(PlannerError):
+    """A verification that has reached its time limit: it says nothing of the certificate."""
+
+
 class CertificateError(PlannerError, ValueError):
     """A certificate that cannot be read, or that is rejected.
 

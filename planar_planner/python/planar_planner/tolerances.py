@@ -24,6 +24,17 @@ SHORTEST_LIMIT = 1e-9
 """Seconds: one tick of the clock. A limit must be positive, but time may run out between a look at
 the clock and the next; the core gives up at its first look then."""
 
+TIMER_TICK = 1e-6
+"""Seconds: the tick of interval timers. A timer of less is none."""
+
+INTERRUPT_AGAIN = 5e-3
+"""Seconds after which an interrupt that came within an import comes again. An import takes up to
+some tenths of a second, and a user notices a twentieth; less would only use the processor."""
+
+WRITTEN_SHARE = 1e-8
+"""Share by which a gap in a drawing may exceed what the user joins: messages state gaps to nine
+digits, and the ends' places are rounded themselves."""
+
 LAST_STEP = 1e-5
 """The last step of a climb to a bottleneck, relative to the robot's reach. The place is an
 estimate, printed to six digits: finer steps would show nothing."""

@@ -2,6 +2,8 @@
 // promise.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "planar_planner/native/guesses/rrt_connect.hpp"
 #include "planar_planner/native/paths/collision.hpp"
 #include "planar_planner/native/planning/planner.hpp"
@@ -19,7 +21,8 @@ using worlds::World;
 
 // Planner units; nearer to contact plain doubles may say either.
 constexpr Real kBeyondRounding = 1e-12L;
-constexpr RrtConnect::Budget kBudget{5000};
+constexpr std::uint64_t kWork = 2'000'000;      // some thousand questions
+constexpr std::uint64_t kMostAtOnce = 200'000;  // of one question and one walk to the nearest
 constexpr double kSpacing = 0.02;
 
 const planner::Terminator never = [] { return false; };
@@ -158,11 +161,12 @@ TEST(PlannerFirstTry, PathsRunFromStartToGoalWithinTheBudget) {
       if (places.gap(planner::scaled(world.problem, *goal)) < 0.0) continue;
     }
     CollisionHint hint(world.problem, world.tree);
-    const auto path = RrtConnect(world.problem, hint, kBudget, *start, *goal).find(kSpacing, never);
-    ASSERT_LE(hint.calls(), kBudget.checks);
+    RrtConnect trees(world.problem, hint, *start, {&*goal, 1});
+    const auto path = trees.find(kSpacing, kWork, never);
+    ASSERT_LE(trees.work(), kWork + kMostAtOnce);
     CollisionHint second(world.problem, world.tree);
     const auto again =
-        RrtConnect(world.problem, second, kBudget, *start, *goal).find(kSpacing, never);
+        RrtConnect(world.problem, second, *start, {&*goal, 1}).find(kSpacing, kWork, never);
     ASSERT_EQ(hint.calls(), second.calls());
     ASSERT_EQ(path.size(), again.size());
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -196,14 +200,14 @@ TEST(PlannerFirstTry, GoesOnWithoutARejectedSegment) {
     const auto goal = free_place(world, places, random);
     if (!start || !goal || (!world.problem.rotation && start->theta != goal->theta)) continue;
     CollisionHint hint(world.problem, world.tree);
-    RrtConnect trees(world.problem, hint, kBudget, *start, *goal);
-    auto path = trees.find(kSpacing, never);
+    RrtConnect trees(world.problem, hint, *start, {&*goal, 1});
+    auto path = trees.find(kSpacing, kWork, never);
     for (int round = 0; round < 5 && !path.empty(); ++round) {
       const std::size_t segment = random() % (path.size() - 1);
       const planner::Configuration from = path[segment];
       const planner::Configuration to = path[segment + 1];
       trees.reject(segment);
-      path = trees.find(kSpacing, never);
+      path = trees.find(kSpacing, kWork, never);
       if (path.empty()) break;
       ++again;
       check_path(world, places, path);
@@ -223,23 +227,67 @@ TEST(PlannerFirstTry, SpendsItsBudgetWhereThereIsNoWay) {
   scene.box = planner::Rectangle{{0.0, 0.0}, {10.0, 10.0}};
   World world(std::move(scene));
   CollisionHint hint(world.problem, world.tree);
-  const auto path = RrtConnect(world.problem, hint, kBudget, {2.0, 5.0, 0.0}, {8.0, 5.0, 0.0})
-                        .find(kSpacing, never);
-  EXPECT_TRUE(path.empty());
-  EXPECT_LE(hint.calls(), kBudget.checks);
-  EXPECT_GT(hint.calls(), kBudget.checks / 4);
+  const Configuration goal{8.0, 5.0, 0.0};
+  RrtConnect trees(world.problem, hint, {2.0, 5.0, 0.0}, {&goal, 1});
+  EXPECT_TRUE(trees.growing());
+  EXPECT_TRUE(trees.find(kSpacing, kWork, never).empty());
+  EXPECT_GE(trees.work(), kWork);
+  EXPECT_LE(trees.work(), kWork + kMostAtOnce);
+  // Goes on from there, until both rooms are full.
+  EXPECT_TRUE(trees.find(kSpacing, 40 * kWork, never).empty());
+  EXPECT_GE(trees.work(), 40 * kWork);
+  EXPECT_FALSE(trees.growing());
 }
 
 TEST(PlannerFirstTry, StopsWhenTold) {
   Random random(3);
   World world(worlds::random_scene(random, {}));
   CollisionHint hint(world.problem, world.tree);
+  const Configuration goal{1.0, 1.0, 1.0};
   const auto path =
-      RrtConnect(world.problem, hint, kBudget, {}, {1.0, 1.0, 1.0}).find(kSpacing, [] {
-        return true;
-      });
+      RrtConnect(world.problem, hint, {}, {&goal, 1}).find(kSpacing, kWork, [] { return true; });
   EXPECT_TRUE(path.empty());
   EXPECT_EQ(hint.calls(), 0U);
+}
+
+TEST(PlannerFirstTry, NearestNodesAreThoseOfAWalkOverAll) {
+  Random random(11);
+  planner::NearestByPlace places;
+  std::vector<ScaledConfiguration> all;
+  const auto between_poses = [&](const ScaledConfiguration& a, const ScaledConfiguration& b) {
+    const pdg::Vec2 way = a.t - b.t;
+    return dot(way, way) + 0.1 * (a.theta - b.theta) * (a.theta - b.theta);
+  };
+  const auto pose = [&](const int i) {
+    // Many in a row and in the same place, too.
+    const double x = i % 3 == 0 ? 0.25 : worlds::uniform(random, -1.0, 1.0);
+    return ScaledConfiguration{{x, worlds::uniform(random, -1.0, 1.0)},
+                               worlds::uniform(random, -3.0, 3.0)};
+  };
+  std::uint64_t passed = 0;
+  for (int i = 0; i < 3000; ++i) {
+    all.push_back(i % 10 == 9 ? all.back() : pose(i));
+    places.add(all.back().t);
+    const ScaledConfiguration asked = pose(i + 1);
+    const auto distance = [&](const std::uint32_t k) { return between_poses(all[k], asked); };
+    const std::uint32_t found = places.nearest(asked.t, distance, passed);
+    double least = INFINITY;
+    for (std::uint32_t k = 0; k < all.size(); ++k) least = std::min(least, distance(k));
+    ASSERT_EQ(distance(found), least);
+  }
+  EXPECT_LT(passed, 3000U * 3000U / 8U);
+}
+
+TEST(PlannerFirstTry, SetsOfBoxesCountEachNumberOnce) {
+  Random random(12);
+  planner::BoxSet boxes;
+  std::set<std::uint64_t> expected;
+  for (int i = 0; i < 5000; ++i) {
+    const std::uint64_t number = random() % 700 << (random() % 40);
+    boxes.insert(number);
+    expected.insert(number);
+    ASSERT_EQ(boxes.size(), expected.size());
+  }
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ OBJECTS: dict[str, tuple[Fields, ...]] = {
     ),
     "path": (form.PATH_FIELDS,),
     "interval": (form.INTERVAL_FIELDS,),
+    "exact interval": (form.ALONG_FIELDS,),
     "separation": (form.SEPARATION_FIELDS,),
     "domain": (form.DOMAIN_FIELDS,),
     "claim": (form.FACE_FIELDS, *form.COLLISIONS),
@@ -39,6 +40,8 @@ OBJECTS: dict[str, tuple[Fields, ...]] = {
     "term": (form.TERM_FIELDS,),
     "wall term": (form.WALL_TERM_FIELDS,),
     "disc": (form.DISC_FIELDS,),
+    "chain": (form.CHAIN_FIELDS,),
+    "link": form.LINKS,
     "end": (form.END_FIELDS, *form.COLLISIONS[:2], form.BOUNDS_FIELDS),
 }
 

@@ -13,7 +13,7 @@ import pytest
 from planar_planner import CertificateError, Planner, solve, verify_certificate
 from planar_planner.checker.json_reader import MAX_MEMORY, MEMORY_OF, read_json
 from planar_planner.cli.main import main
-from planar_planner.errors import CertificateRejected
+from planar_planner.errors import CertificateRejected, OptionsError, VerificationTimeoutError
 from planar_planner.load import load_scene
 from planar_planner.scene.builtin import builtin_scenes, manifest
 from planar_planner.scene.model import with_ends
@@ -107,3 +107,18 @@ def test_tiny_angles_have_certificates(theta: float, end: str) -> None:
     result = solve(scene, certificate=True)
     assert result.verdict == "no_path" and result.certificate is not None
     assert verify_certificate(scene, result.certificate).verdict == "no_path"
+
+
+@pytest.mark.parametrize("name", ["slot-jammed", "corner", "disc-jammed"])
+def test_the_timeout_of_a_call_holds(name: str) -> None:
+    certificate = solve(name, certificate=True).certificate
+    assert certificate is not None
+    with pytest.raises(VerificationTimeoutError, match="time limit"):
+        verify_certificate(name, certificate, timeout=1e-9)
+    assert verify_certificate(name, certificate, timeout=60.0).claims > 0
+
+
+@pytest.mark.parametrize("timeout", [0.0, -1.0, float("nan")])
+def test_a_timeout_is_positive(timeout: float) -> None:
+    with pytest.raises(OptionsError, match="timeout must be positive"):
+        verify_certificate("corner", {}, timeout=timeout)

@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from planar_planner import ImportReport, Planner, load_scene, margin, solve
 from planar_planner.cli.main import main
 from planar_planner.scene.builtin import manifest
 from support.command import parsers
@@ -66,6 +67,60 @@ def test_every_command_takes_json() -> None:
     for command, parser in parsers().items():
         takes = any("--json" in action.option_strings for action in parser._actions)
         assert takes == (command not in {"", *NO_ANSWER}), command
+
+
+ROUND = (  # a round pillar between the ends: what is proven of it depends on the flattening
+    '<svg xmlns="http://www.w3.org/2000/svg"><circle class="obstacle" cx="0" cy="0" r="3"/>'
+    '<rect class="robot" x="-1" y="-1" width="2" height="2"/>'
+    '<circle class="start" cx="-9" cy="0" r="1"/><circle class="goal" cx="9" cy="0" r="1"/></svg>'
+)
+SAYS = {
+    "solve": ["round.svg", "--quiet"],
+    "check": ["round.svg", "--quiet"],
+    "margin": ["round.svg", "--quiet", "--width", "0.5"],
+    "animate": ["round.svg", "r.gif", "--quiet", "--seconds", "0.2", "--size", "160x160"],
+    "verify": ["round.svg", "c.json"],
+    "show": ["round.svg"],
+    "convert": ["round.svg", "r.json", "--quiet"],
+    "replay": ["round.svg", "--quiet"],
+    "replay --push": ["round.svg", "--push", "--seconds", "0.1", "--tries", "1", "--quiet"],
+    "compare": ["round.svg", "--runs", "1", "--timeout", "1", "--planners", "RRTConnect"],
+}
+NO_SCENE = {"list", "completion"}
+
+
+def test_every_command_of_a_scene_is_asked_for_its_notes() -> None:
+    assert {name.split(maxsplit=1)[0] for name in SAYS} | NO_SCENE == set(parsers()) - {""}
+
+
+@pytest.mark.parametrize("command", SAYS)
+def test_notes_of_an_import_are_in_every_result(
+    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if command == "compare" and importlib.util.find_spec("ompl") is None:
+        pytest.skip("needs ompl")
+    if command.startswith("replay") and importlib.util.find_spec("pymunk") is None:
+        pytest.skip("needs pymunk")
+    monkeypatch.chdir(tmp_path)
+    Path("round.svg").write_text(ROUND)
+    scene = load_scene("round.svg")
+    assert scene.imported.holds_for == "path" and len(scene.notes) >= 4
+    if command == "verify":
+        assert main(["check", "round.svg", "--certificate", "c.json"]) == 0
+    assert main([command.split(maxsplit=1)[0], *SAYS[command], "--json", "answer.json"]) in (0, 3)
+    content = json.loads(Path("answer.json").read_text(encoding="utf-8"))
+    said = content["scenes"][0] if command == "compare" else content
+    assert {key: said[key] for key in ("notes", "holds_for")} == scene.imported.to_json()
+
+
+def test_notes_of_an_import_are_in_the_results_of_python(tmp_path: Path) -> None:
+    file = tmp_path / "round.svg"
+    file.write_text(ROUND)
+    scene = load_scene(file)
+    for result in (Planner(file).solve(), solve(scene), margin(scene, width=0.5)):
+        assert result.imported is scene.imported or result.imported == scene.imported
+        assert result.to_json()["notes"] == list(scene.notes)
+    assert solve("slot").imported == ImportReport() == load_scene("slot").imported
 
 
 def test_list(answer_of: Any) -> None:

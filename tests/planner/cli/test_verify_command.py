@@ -81,6 +81,8 @@ def test_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
         "proof": "disc",
         "contact_tolerance": 0.0,
         "claims": 2,
+        "notes": [],
+        "holds_for": "",
     }
     out = tmp_path / "finding.json"
     assert main(["verify", *files, "--goal", "1,2,3", "--json", str(out)]) == 1

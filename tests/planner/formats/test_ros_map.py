@@ -122,7 +122,9 @@ def test_a_mode_of_its_own(tmp_path: Path) -> None:
     cells = np.array([[0, 100, 255, 50]], dtype=np.uint8)
     file = write_map(tmp_path, cells, mode="raw")
     common = {"start": [0, 0, 0], "goal": [0, 0, 0], "footprint": BODY}
-    assert read(file, file.read_bytes(), **common).notes[0].startswith("1 occupied")
+    said = read(file, file.read_bytes(), **common).notes
+    assert said[0] == "2 unknown cells are taken for free; --unknown makes them obstacles"
+    assert said[1].startswith("1 occupied")
     both = read(file, file.read_bytes(), unknown=True, **common)
     assert both.notes[0].startswith("3 occupied and unknown")
 

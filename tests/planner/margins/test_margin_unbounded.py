@@ -10,7 +10,8 @@ from typing import Any
 
 import pytest
 
-from planar_planner import Options, margin, solve
+from planar_planner import ImportOptions, Options, Planner, SceneError, margin, solve
+from planar_planner.cli.main import main
 from planar_planner.load import load_scene
 from planar_planner.margins.result import By
 from planar_planner.margins.text import margin_headline
@@ -106,7 +107,7 @@ def test_margin_of_a_drawing_is_set_by_its_start(name: str, true: float) -> None
 
 def test_margin_grows_with_the_plane_and_not_with_stated_bounds() -> None:
     chosen = load_scene(FAULTS / "cup.svg")
-    stated = load_scene(chosen.to_dict())
+    stated = load_scene(chosen.to_dict() | {"bounds_are_chosen": False})
     assert not stated.bounds_are_chosen
     assert margin(stated).upper < 2.0 < margin(chosen).lower
     problem = make_problem(stated)
@@ -136,10 +137,53 @@ def test_nothing_prints_as_minus_zero() -> None:
     assert math.copysign(1.0, found.upper) == 1.0
 
 
-def test_chosen_bounds_are_no_part_of_a_scene() -> None:
+def test_a_scene_says_that_its_bounds_are_chosen() -> None:
     scene = load_scene(FAULTS / "cup.svg")
     again = Scene(
         robot=scene.robot, obstacles=scene.obstacles, start=scene.start, goal=scene.goal,
         bounds=scene.bounds, name=scene.name, description=scene.description,
     )  # fmt: skip
-    assert scene == again and scene.bounds_are_chosen != again.bounds_are_chosen
+    assert scene != again and "bounds_are_chosen" not in again.to_dict()
+    assert load_scene(scene.to_dict()) == scene and scene.to_dict()["bounds_are_chosen"] is True
+
+
+@pytest.mark.parametrize("kind", ["json", "svg", "dxf", "geojson", "wkt", "txt"])
+def test_margin_of_a_converted_drawing_is_the_drawing_s(kind: str, tmp_path: Path) -> None:
+    """Bounds that an import chose stay chosen, whatever the scene is written as."""
+    file = tmp_path / f"cup.{kind}"
+    assert main(["convert", str(FAULTS / "cup.svg"), str(file), "--quiet"]) == 0
+    drawn = load_scene(FAULTS / "cup.svg")
+    missing = ImportOptions(list(drawn.start), list(drawn.goal), tmp_path / "cup.rob")
+    again = load_scene(file, missing if kind == "txt" else None)
+    assert again.bounds_are_chosen
+    found = margin(again)
+    assert found.binding == "start" and found.decided
+    assert found.lower - 1e-4 <= 8.0 <= found.upper + 1e-4
+
+
+@pytest.mark.parametrize(
+    ("changed", "problem"),
+    [
+        ({"reference_bounds": [-1, -1, 101, 101]}, "must contain the box of all obstacles"),
+        ({"workspace": {"box": [-500, -500, 500, 500]}}, "needs reference_bounds"),
+        ({"reference_bounds": None, "workspace": {"box": [-500, -500, 500, 500]}}, "needs"),
+        ({"bounds_are_chosen": "yes"}, "must be true or false"),
+    ],
+)
+def test_bounds_that_do_not_stand_for_the_plane_are_refused(
+    changed: dict[str, object], problem: str
+) -> None:
+    scene = load_scene(FAULTS / "cup.svg").to_dict() | changed
+    with pytest.raises(SceneError, match=problem) as refused:
+        make_problem(load_scene(scene))
+    assert refused.value.field == "bounds_are_chosen"
+
+
+def test_a_start_outside_the_chosen_bounds_is_taken_as_in_the_drawing(tmp_path: Path) -> None:
+    file = tmp_path / "cup.json"
+    assert main(["convert", str(FAULTS / "cup.svg"), str(file), "--quiet"]) == 0
+    far = ImportOptions(start=[-400.0, 50.0, 0.0])
+    for scene in (load_scene(FAULTS / "cup.svg", far), load_scene(file, far)):
+        assert solve(scene).verdict == "path"
+    with pytest.raises(SceneError, match="chosen for a file that states none"):
+        Planner(load_scene(file)).solve(start=far.start)

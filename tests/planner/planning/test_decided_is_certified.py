@@ -8,7 +8,14 @@ from typing import Any
 
 import pytest
 
-from planar_planner import Planner, StopReason, margin, solve, verify_certificate
+from planar_planner import (
+    CertificateRejected,
+    Planner,
+    StopReason,
+    margin,
+    solve,
+    verify_certificate,
+)
 from planar_planner.cli.main import main
 
 FAULTS = Path(__file__).parents[2] / "worlds" / "faults"
@@ -39,15 +46,23 @@ def test_a_path_with_room_of_rounding_only(scene: dict[str, Any], tmp_path: Path
     assert certificate.exists() == (status in (0, 1))
 
 
-def test_the_reason_occurs() -> None:
-    reasons = [solve(scene).stop_reason for scene in _scenes()]
-    assert StopReason.NO_EVIDENCE in reasons
+def test_all_but_one_are_decided() -> None:
+    """Their evidence comes nearer to touching than rounding allows, so it is checked exactly."""
+    results = [solve(scene, certificate=True) for scene in _scenes()]
+    assert [result.verdict for result in results].count("path") == len(results) - 1
+    assert [result.stop_reason for result in results].count(StopReason.RESOLUTION) == 1
 
 
-def test_a_planner_goes_on_after_it() -> None:
+def test_close_evidence_that_the_checker_rejects_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    def reject(*_: object) -> None:
+        raise CertificateRejected("segments", "an edge may not separate")
+
     scene = _scenes()[0]
     planner = Planner(scene)
-    assert planner.solve().verdict == "undecided"
+    with monkeypatch.context() as patch:
+        patch.setattr("planar_planner.planning.planner.verify_problem", reject)
+        result = planner.solve()
+    assert (result.verdict, result.stop_reason) == ("undecided", StopReason.NO_EVIDENCE)
     near = [scene["start"][0] + 0.01, *scene["start"][1:]]
     found = planner.solve(goal=near, certificate=True)
     assert found.verdict == "path" and found.certificate is not None

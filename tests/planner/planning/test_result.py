@@ -49,6 +49,8 @@ def test_json_is_exactly_the_published_object() -> None:
         "stop_reason": None,
         "path": [[0.0, 0.0, 0.0], [1.0, 2.0, 7.5]],
         "stats": Statistics(cells=3, decided_by=DecidedBy.CHANNEL).to_dict(),
+        "notes": [],
+        "holds_for": "",
     }
     assert make_result("s", answer("no_path")).to_json()["path"] == []
 

@@ -15,8 +15,11 @@ def rectangle(x0: float, y0: float, x1: float, y1: float) -> dict[str, Any]:
     return {"type": "Polygon", "coordinates": [ring]}
 
 
-def room(door: float) -> dict[str, Any]:
-    """Return a room whose square robot rests on a floor; the wall may leave a door."""
+def room(door: float, turn: float = 0.25) -> dict[str, Any]:
+    """Return a room whose square robot rests on a floor; the wall may leave a door.
+
+    A robot that has to turn on its way is not decided by exact translations.
+    """
     return {
         "format": "planar-planner/scene",
         "version": 1,
@@ -24,13 +27,26 @@ def room(door: float) -> dict[str, Any]:
         "robot": rectangle(-0.5, -0.5, 0.5, 0.5),
         "obstacles": [rectangle(5, 0, 6, 4 - door), rectangle(0, -1, 10, 0.25)],
         "start": [2, 0.75, 0],
-        "goal": [8, 2, 0],
+        "goal": [8, 2, turn],
     }
 
 
-def test_without_a_tolerance_contact_is_undecided() -> None:
+def test_without_a_tolerance_no_path_is_certified_but_its_absence_is() -> None:
+    scene = load_scene(room(0.0))
     assert solve(room(1.5)).verdict == "undecided"
-    assert solve(room(0.0)).verdict == "undecided"
+    walled_in = solve(scene, certificate=True)
+    assert walled_in.verdict == "no_path"
+    assert walled_in.certificate is not None
+    verify_certificate(scene, walled_in.certificate)
+
+
+@pytest.mark.parametrize("rotation", [True, False])
+def test_a_resting_robot_that_need_not_turn_gets_away_exactly(rotation: bool) -> None:
+    scene = load_scene({**room(1.5, turn=0.0), "rotation": rotation})
+    result = solve(scene, certificate=True)
+    assert result.verdict == "path"
+    assert result.certificate is not None
+    verify_certificate(scene, result.certificate)
 
 
 @pytest.mark.parametrize("tolerance", [1e-7, 1e-5, 1e-3])

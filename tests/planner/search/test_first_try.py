@@ -12,8 +12,8 @@ from planar_planner.problem.make import make_problem
 from planar_planner.scene.builtin import manifest
 
 BY_TREES = "RRT-Connect"
-CHECKS = 2500  # that one first try may ask for, and
-CHECKS_PER_OBSTACLE = 5  # as many more
+CHECKS = 1000  # that a first try asks for at least where it finds nothing, and
+MOST_CHECKS = 6000  # at most in a scene of few vertices
 SCENES = manifest()
 ROOMY = ("gear-wide", "window", "slide", "courtyard", "fence")
 
@@ -44,8 +44,7 @@ def test_is_short_where_there_is_none() -> None:
     scene = load_scene("corner-too-long")
     result = solve(scene)
     assert result.verdict == "no_path"
-    most = CHECKS + CHECKS_PER_OBSTACLE * len(scene.obstacles)
-    assert 0 < result.stats.probe_checks <= most
+    assert 0 < result.stats.probe_checks <= MOST_CHECKS
 
 
 def test_is_the_same_every_time() -> None:
@@ -77,4 +76,4 @@ def test_counts_what_the_discs_asked_too() -> None:
     result = solve(dodecagon_before_a_slot(1.94))
     assert result.verdict == "path"
     assert result.stats.decided_by in ("channel", "ridge")
-    assert result.stats.probe_checks > CHECKS + CHECKS_PER_OBSTACLE * 2
+    assert result.stats.probe_checks > CHECKS

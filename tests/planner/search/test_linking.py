@@ -47,7 +47,8 @@ def test_a_bottleneck_that_is_about_to_close_is_not_made_dearer_by_other_links()
     body = Offsets(problem.robot).between(-0.1453, -0.1447)
     assert body.polygons is not None
     problem = replace(problem, robot=body.polygons)
-    answer = ask(make_core(problem, without=("survey",)), problem, Options())
+    core = make_core(problem, without=["shift", "survey"])  # with them it takes a part of this
+    answer = ask(core, problem, Options())
     assert answer["verdict"] == "no_path"
     assert answer["stats"].faces_tested > 10_000
     assert answer["stats"].search_expansions < 4_000_000

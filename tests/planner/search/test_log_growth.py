@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from planar_planner import Options, load_scene, solve
+from planar_planner import Options, load_scene, solve, verify_certificate
 
 CLEARANCES = (1e-2, 1e-4, 1e-6, 1e-8)
 
@@ -78,11 +78,20 @@ def test_contact_on_a_cell_boundary_starves_no_other_channel(gap: float) -> None
     assert result.stats.cells < 2000
 
 
-@pytest.mark.parametrize("rotation", [True, False])
-def test_exactly_fitting_gate_is_undecided_by_resolution_and_soon(rotation: bool) -> None:
-    theta = 0.3 if rotation else 0.0
-    content = {**gate(0.0), "rotation": rotation, "start": [4, 5, theta], "goal": [16, 5, theta]}
-    result = solve(load_scene(content))
+def test_exactly_fitting_gate_is_undecided_by_resolution_and_soon() -> None:
+    """A robot that has to turn on its way through a gate that fits at one angle only."""
+    result = solve(load_scene({**gate(0.0), "start": [4, 5, 0.3], "goal": [16, 5, 0.3]}))
     assert result.verdict == "undecided"
     assert result.reason == "resolution reached"
     assert result.stats.cells < 5000
+
+
+@pytest.mark.parametrize("rotation", [True, False])
+def test_exactly_fitting_gate_is_passed_without_turning(rotation: bool) -> None:
+    content = {**gate(0.0), "rotation": rotation, "start": [4, 5, 0], "goal": [16, 5, 0]}
+    scene = load_scene(content)
+    result = solve(scene, certificate=True)
+    assert result.verdict == "path"
+    assert result.stats.cells < 5000
+    assert result.certificate is not None
+    verify_certificate(scene, result.certificate)

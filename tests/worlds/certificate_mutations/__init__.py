@@ -8,6 +8,7 @@ the geometry that must give them away.
 from worlds.certificate_mutations import (
     any_certificate,
     discs_and_ends,
+    exact_fits,
     goals,
     joints,
     paths,
@@ -16,6 +17,6 @@ from worlds.certificate_mutations import (
 from worlds.certificate_mutations.registry import MUTATIONS, Json, mutant
 
 # Importing them registers theirs.
-PARTS = (any_certificate, paths, separations, joints, discs_and_ends, goals)
+PARTS = (any_certificate, paths, separations, joints, discs_and_ends, exact_fits, goals)
 
 __all__ = ["MUTATIONS", "PARTS", "Json", "mutant"]

@@ -1,24 +1,54 @@
-"""Claims that a disc inside the robot has no path, and that an end is not free.
+"""Claims that a disc has no path, that a chain separates the ends, that an end is not free.
 
-docs/certificate.md, "disc" and "end".
+docs/certificate.md, "disc", "odd_chain" and "end". The disc is inside the robot. The chain is
+closed, and of convex sets of translations that are not free; its numbers are integers or fractions.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import chain
+from typing import NamedTuple
 
 from planar_planner import certificate_keys as keys
-from planar_planner.checker.arithmetic import Ring, dot
-from planar_planner.checker.case import Case
+from planar_planner.checker.arithmetic import ONE, Ring, Vector, cyclic_pairs, dot, minus
+from planar_planner.checker.case import Case, Pose
 from planar_planner.checker.collisions import check_full
 from planar_planner.checker.demands import demand, find
 from planar_planner.checker.extents import Extent
+from planar_planner.checker.form import MAX_LENGTH
 from planar_planner.checker.goal_area import GoalArea
 from planar_planner.checker.pieces import Piece, convex_piece
-from planar_planner.checker.records import DiscProof, EndProof
+from planar_planner.checker.records import ChainLink, ChainProof, DiscProof, EndProof
 from planar_planner.checker.separation import check_separation
 from planar_planner.errors import CertificateRejected
+
+Number = int | Fraction
+Point = tuple[Number, Number]
+
+_FAR = ONE * MAX_LENGTH * 16
+FAR: list[Point] = [(-_FAR, -_FAR), (_FAR, -_FAR), (_FAR, _FAR), (-_FAR, _FAR)]
+"""A square that holds every translation that matters in its interior."""
+
+
+class HalfPlane(NamedTuple):
+    """The points p with normal · p > offset."""
+
+    normal: Point
+    offset: Number
+
+    def height(self, point: Point) -> Number:
+        """Return normal · point − offset."""
+        return self.normal[0] * point[0] + self.normal[1] * point[1] - self.offset
+
+
+class OpenSet(NamedTuple):
+    """The interior of a convex polygon."""
+
+    sides: list[HalfPlane]
+    corners: Sequence[Point]
 
 
 def check_disc(case: Case, proof: DiscProof) -> int:
@@ -65,3 +95,117 @@ def check_end(case: Case, proof: EndProof) -> int:
         extent = Extent([end.translation], Fraction(), Fraction(), Fraction(end.theta))
         check_full(case, proof.end, proof.collision, extent)
     return 1
+
+
+def check_chain(case: Case, proof: ChainProof) -> int:
+    """Check that each set overlaps the next, and that the chain winds oddly.
+
+    The closed polygon through a point of each overlap lies in the sets, because they are convex. It
+    winds round one of start and goal an odd number of times, and round the other an even number.
+    """
+    still = not case.turning and case.start.theta == 0
+    demand(still, keys.CHAIN, "is about a robot at angle 0 that may not turn")
+    if not isinstance(case.goal, Pose):
+        raise CertificateRejected(keys.CHAIN, "is about a goal that is a configuration")
+    sets = [open_set(case, f"{keys.CHAIN}[{k}]", link) for k, link in enumerate(proof.chain)]
+    polygon = [
+        common_point(f"{keys.CHAIN}[{k}]", a, b) for k, (a, b) in enumerate(cyclic_pairs(sets))
+    ]
+    start, goal = case.start.translation, case.goal.translation
+    odd = winds_oddly(polygon, start) != winds_oddly(polygon, goal)
+    demand(odd, keys.CHAIN, "does not separate start from goal")
+    return len(sets)
+
+
+def open_set(case: Case, place: str, link: ChainLink) -> OpenSet:
+    """Return translations at which a pair overlaps, or that are beyond a side of the bounds."""
+    if link.pair is None:
+        return beyond(case, link.side or "")
+    robot, obstacle = case.pieces.pair(place, link.pair)
+    return interior(convex_hull(minus(o, r) for o in obstacle.vertices for r in robot.vertices))
+
+
+def beyond(case: Case, side: str) -> OpenSet:
+    """Return translations beyond a side: of the reference bounds, or with a vertex past a wall."""
+    beyonds = []
+    if side in case.bounds:
+        edge = case.bounds[side]
+        beyonds.append(clipped(FAR, HalfPlane(turned(edge.normal), -dot(edge.normal, edge.base))))
+    if side in case.walls:
+        edge = case.walls[side]
+        least = min(dot(edge.normal, vertex) for vertex in case.outline)
+        offset = least - dot(edge.normal, edge.base)
+        beyonds.append(clipped(FAR, HalfPlane(turned(edge.normal), offset)))
+    return interior(convex_hull(chain.from_iterable(beyonds)))
+
+
+def turned(v: Vector) -> Vector:
+    """Return the opposite vector."""
+    return -v[0], -v[1]
+
+
+def interior(corners: Sequence[Point]) -> OpenSet:
+    """Return the interior of a convex polygon, counter-clockwise."""
+    sides = []
+    for a, b in cyclic_pairs(corners):
+        normal = (a[1] - b[1], b[0] - a[0])
+        sides.append(HalfPlane(normal, normal[0] * a[0] + normal[1] * a[1]))
+    return OpenSet(sides, corners)
+
+
+def convex_hull(points: Iterable[Point]) -> list[Point]:
+    """Return the corners of the convex hull, counter-clockwise."""
+    ordered = sorted(set(points))
+    hull: list[Point] = []
+    for half in (ordered, ordered[::-1]):
+        base = len(hull)
+        for p in half:
+            while len(hull) - base >= 2 and area(hull[-2], hull[-1], p) <= 0:
+                hull.pop()
+            hull.append(p)
+        hull.pop()
+    return hull
+
+
+def area(a: Point, b: Point, c: Point) -> Number:
+    """Return twice the area of a triangle, positive if c is left of the line from a to b."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def common_point(place: str, a: OpenSet, b: OpenSet) -> Point:
+    """Return a point of both sets."""
+    corners = list(a.corners)
+    for side in b.sides:
+        corners = clipped(corners, side)
+    point = mean(corners) if corners else a.corners[0]
+    inside = all(side.height(point) > 0 for side in (*a.sides, *b.sides))
+    demand(inside, place, "does not overlap the next set")
+    return point
+
+
+def clipped(corners: Sequence[Point], side: HalfPlane) -> list[Point]:
+    """Return the corners of a convex polygon's part in the closed half-plane."""
+    kept: list[Point] = []
+    for p, q in cyclic_pairs(corners):
+        above, after = side.height(p), side.height(q)
+        if above >= 0:
+            kept.append(p)
+        if above * after < 0:
+            s = Fraction(above) / (above - after)
+            kept.append((p[0] + s * (q[0] - p[0]), p[1] + s * (q[1] - p[1])))
+    return kept
+
+
+def mean(points: Sequence[Point]) -> Point:
+    """Return the mean of points: in the interior of their convex hull, if that has one."""
+    x, y = (sum(coordinates, Fraction()) for coordinates in zip(*points, strict=True))
+    return x / len(points), y / len(points)
+
+
+def winds_oddly(polygon: Sequence[Point], p: Vector) -> bool:
+    """Whether a closed polygon crosses the upward ray from a point an odd number of times."""
+    odd = False
+    for a, b in cyclic_pairs(polygon):
+        if (a[0] <= p[0]) != (b[0] <= p[0]):
+            odd ^= area(a, b, p) < 0 if b[0] > a[0] else area(a, b, p) > 0
+    return odd

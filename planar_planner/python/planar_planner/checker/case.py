@@ -27,7 +27,7 @@ from planar_planner.checker.arithmetic import (
     rotation,
     units,
 )
-from planar_planner.checker.demands import demand
+from planar_planner.checker.demands import NO_DEADLINE, Deadline, demand
 from planar_planner.checker.goal_area import GoalArea
 from planar_planner.checker.pieces import Edge, Pieces, checked_pieces
 from planar_planner.checker.records import Certificate
@@ -76,6 +76,8 @@ class Case:
     reference : Vector
         The point of the scene's robot at which robot, pieces and poses have their origin. An area
         and bounds are for the scene's own origin: if that is another point, there are no bounds.
+    deadline : Deadline
+        Of the verification.
     """
 
     robot: dict[str, Polygon]
@@ -87,6 +89,7 @@ class Case:
     goal: Pose | GoalArea
     pieces: Pieces
     reference: Vector = (0, 0)
+    deadline: Deadline = NO_DEADLINE
 
     def in_bounds(self, translation: Vector) -> bool:
         """Whether the reference point is within its bounds."""
@@ -98,7 +101,7 @@ class Case:
         return [v for polygon in self.robot.values() for v in polygon[0]]
 
 
-def make_case(problem: Problem, certificate: Certificate) -> Case:
+def make_case(problem: Problem, certificate: Certificate, deadline: Deadline = NO_DEADLINE) -> Case:
     """Turn the scene's doubles into integers, and check the certificate's pieces against it."""
     walls, beyond = _workspace(problem, certificate)
     reference = certificate.reference or (0, 0)
@@ -122,6 +125,7 @@ def make_case(problem: Problem, certificate: Certificate) -> Case:
         goal=_goal(problem.goal, problem.rotation, reference),
         pieces=pieces,
         reference=reference,
+        deadline=deadline,
     )
 
 

@@ -65,6 +65,7 @@ def is_negative_edge(edge: Edge, vertices: Ring, extent: Extent, halvings: int =
 
 def check_full(case: Case, place: str, collision: Collision, extent: Extent) -> None:
     """Check that no configuration of a box, face or point is free."""
+    case.deadline.check()
     if collision.joint is not None:
         check_joint(case, place, collision.joint, extent)
     elif collision.pair is not None:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from planar_planner import certificate_keys as keys
 from planar_planner.checker.arithmetic import Rectangle, bounding_box, interiors_apart
-from planar_planner.checker.demands import demand
+from planar_planner.checker.demands import NO_DEADLINE, Deadline, demand
 from planar_planner.checker.extents import THETA
 from planar_planner.checker.form import DEEPEST_LEVEL
 from planar_planner.checker.records import Box, Separation
@@ -44,7 +44,7 @@ class Face(NamedTuple):
     rectangle: Rectangle  # in the two other axes, in their order
 
 
-def check_cover(separation: Separation) -> None:
+def check_cover(separation: Separation, deadline: Deadline = NO_DEADLINE) -> None:
     """Check that every face of the start's side bounds the domain or is covered from beyond."""
     needs: dict[Side, set[Rectangle]] = defaultdict(set)
     covers: dict[Side, set[Rectangle]] = defaultdict(set)
@@ -63,7 +63,7 @@ def check_cover(separation: Separation) -> None:
         if side.axis != THETA and side.plane in (0, WHOLE):
             continue  # the domain's boundary
         known = covers[side]
-        closed = covered(rectangles - known, known, (0, 0, WHOLE, WHOLE))
+        closed = covered(rectangles - known, known, (0, 0, WHOLE, WHOLE), deadline)
         place = f"{keys.START_SIDE}, {AXIS_NAMES[side.axis]} = {side.plane / WHOLE!r}"
         demand(closed, place, "has a face that is neither shared nor FULL")
 
@@ -78,15 +78,21 @@ def faces_of(box: Box) -> Iterator[Face]:
             yield Face(Side(axis, own, end), (u0, v0, u1, v1))
 
 
-def covered(needs: Iterable[Rectangle], covers: Iterable[Rectangle], cell: Rectangle) -> bool:
+def covered(
+    needs: Iterable[Rectangle],
+    covers: Iterable[Rectangle],
+    cell: Rectangle,
+    deadline: Deadline = NO_DEADLINE,
+) -> bool:
     """Whether rectangles, as far as they are in a cell, lie in the union of others."""
+    deadline.check()
     needs = [each for each in needs if not interiors_apart(each, cell)]
     covers = [each for each in covers if not interiors_apart(each, cell)]
     if not needs or any(holds(cover, cell) for cover in covers):
         return True
     if not covers:
         return False
-    return all(covered(needs, covers, half) for half in halves(cell, needs + covers))
+    return all(covered(needs, covers, half, deadline) for half in halves(cell, needs + covers))
 
 
 def holds(outer: Rectangle, inner: Rectangle) -> bool:

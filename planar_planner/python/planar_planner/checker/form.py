@@ -27,6 +27,8 @@ from planar_planner.checker.json_reader import (
 )
 from planar_planner.checker.records import (
     Certificate,
+    ChainLink,
+    ChainProof,
     Collision,
     DiscProof,
     EndProof,
@@ -37,6 +39,7 @@ from planar_planner.checker.records import (
     PairTerm,
     PathProof,
     Proof,
+    SeparatingLine,
     Separation,
     Separator,
     WallTerm,
@@ -103,7 +106,17 @@ def _waypoint(items: tuple[Any, ...]) -> Waypoint:
 
 
 def _interval(fields: Mapping[str, Any]) -> Interval:
-    return Interval(fields[keys.FROM], fields[keys.TO], fields[keys.APART])
+    return Interval(
+        fields[keys.FROM], fields[keys.TO], fields[keys.APART], fields.get(keys.ALONG, [])
+    )
+
+
+def _separating_line(items: tuple[Any, ...]) -> SeparatingLine:
+    return SeparatingLine(items[:4], items[4])
+
+
+def _chain_link(fields: Mapping[str, Any]) -> ChainLink:
+    return ChainLink(fields.get(keys.PAIR), fields.get(keys.SIDE))
 
 
 def _in_units(dyadic: tuple[int, int]) -> int:
@@ -136,6 +149,8 @@ def _certificate(fields: Mapping[str, Any]) -> Certificate:
 def _proof(fields: Mapping[str, Any]) -> Proof:
     if keys.WAYPOINTS in fields:
         return PathProof(*(fields[key] for key in PATH_FIELDS if key != keys.VERDICT))
+    if keys.CHAIN in fields:
+        return ChainProof(fields[keys.CHAIN])
     if keys.END in fields:
         bounds = keys.REFERENCE_BOUNDS in fields
         return EndProof(fields[keys.END], None if bounds else _collision(fields))
@@ -213,6 +228,13 @@ DISC_FIELDS: Fields = {
     keys.DISC: list_of(_POINT),
     keys.INSIDE: tuple_of(_INDEX, _INDEX),
 }
+LINKS: tuple[Fields, ...] = (_PAIR_COLLISION, {keys.SIDE: _WALL})
+"""The fields of a link of a chain: one of these."""
+CHAIN_FIELDS: Fields = {
+    keys.VERDICT: word(keys.NO_PATH),
+    keys.CLAIM: word(keys.CHAIN_CLAIM),
+    keys.CHAIN: list_of(object_of(*LINKS, convert=_chain_link)),
+}
 END_FIELDS: Fields = {
     keys.VERDICT: word(keys.NO_PATH),
     keys.CLAIM: word(keys.END_CLAIM),
@@ -228,11 +250,21 @@ INTERVAL_FIELDS: Fields = {
         tuple_of(_INDEX, _INDEX, _INDEX, _INDEX, _OWNER, _INDEX, convert=_separator)
     ),
 }
+ALONG_FIELDS: Fields = {
+    keys.ALONG: list_of(
+        tuple_of(
+            _INDEX, _INDEX, _INDEX, _INDEX, word(keys.LEFT, keys.RIGHT), convert=_separating_line
+        )
+    ),
+}
+"""What an interval of an exact path may have besides."""
 PATH_FIELDS: Fields = {
     keys.VERDICT: word(keys.PATH),
     keys.CONTACT_TOLERANCE: _FINITE,
     keys.WAYPOINTS: list_of(tuple_of(_LENGTH, _LENGTH, _ANGLE, _TURNS, convert=_waypoint)),
-    keys.SEGMENTS: list_of(list_of(object_of(INTERVAL_FIELDS, convert=_interval))),
+    keys.SEGMENTS: list_of(
+        list_of(object_of(INTERVAL_FIELDS, {**INTERVAL_FIELDS, **ALONG_FIELDS}, convert=_interval))
+    ),
 }
 
 COMMON_FIELDS: Fields = {
@@ -253,6 +285,7 @@ _ABSENCES = (SEPARATION_FIELDS, DISC_FIELDS)
 _PROOFS = (
     PATH_FIELDS,
     *_ABSENCES,
+    CHAIN_FIELDS,
     *({**absence, **REFERENCE_FIELDS} for absence in _ABSENCES),
     *({**END_FIELDS, **e} for e in _ENDS),
 )

@@ -32,7 +32,13 @@ from planar_planner.checker.case import Case, Pose
 from planar_planner.checker.demands import demand
 from planar_planner.checker.goal_area import GoalArea
 from planar_planner.checker.pieces import Edge
-from planar_planner.checker.records import Interval, PairName, PathProof, Waypoint
+from planar_planner.checker.records import (
+    Interval,
+    PairName,
+    PathProof,
+    SeparatingLine,
+    Waypoint,
+)
 
 
 class Motion(NamedTuple):
@@ -69,7 +75,11 @@ def check_path(case: Case, proof: PathProof) -> int:
         chained = parts == [*(interval.begin for interval in intervals), ONE]
         demand(chained, place, "the intervals do not lead from 0 to 1")
         check_segment(case, place, (waypoints[i], waypoints[i + 1]), intervals)
-    return sum(len(interval.apart) for intervals in segments for interval in intervals)
+    return sum(
+        len(interval.apart) + len(interval.along)
+        for intervals in segments
+        for interval in intervals
+    )
 
 
 def check_path_ends(case: Case, proof: PathProof) -> None:
@@ -102,21 +112,58 @@ def check_segment(
     case: Case, place: str, ends: tuple[Waypoint, Waypoint], intervals: list[Interval]
 ) -> None:
     """Check that on every interval the robot is inside the walls and apart from every obstacle."""
+    exact = exact_translations(*ends)
     everywhere = swept_box(case.outline, make_motion(*ends, 0, ONE))
     boxes = {q: bounding_box(polygon[0]) for q, polygon in case.obstacles.items()}
     near = {q: box for q, box in boxes.items() if not interiors_apart(everywhere, box)}
     for i, interval in enumerate(intervals):
+        case.deadline.check()
         motion = make_motion(*ends, interval.begin, interval.end)
         for wall, edge in case.walls.items():
-            inside = all(stays_outside(edge, vertex, motion) for vertex in case.outline)
+            inside = all(
+                stays_outside(edge, vertex, motion) or is_outside(edge, vertex, exact)
+                for vertex in case.outline
+            )
             demand(inside, f"{place}[{i}], {wall}", "the robot may be beyond the wall")
         for k, separator in enumerate(interval.apart):
             own = f"{place}[{i}].{keys.APART}[{k}]"
             edge, vertices = case.pieces.edge(own, separator.pair, separator.edge)
             separates = all(stays_outside(edge, vertex, motion) for vertex in vertices)
-            demand(separates, own, "the edge may not separate the pair")
+            touches = all(is_outside(edge, vertex, exact) for vertex in vertices)
+            demand(separates or touches, own, "the edge may not separate the pair")
+        for k, line in enumerate(interval.along):
+            check_line(case, f"{place}[{i}].{keys.ALONG}[{k}]", line, exact)
         separated = {separator.pair for separator in interval.apart}
+        separated |= {line.pair for line in interval.along}
         check_all_apart(case, f"{place}[{i}]", motion, near, separated)
+
+
+def exact_translations(a: Waypoint, b: Waypoint) -> list[Vector]:
+    """Return the translations at both ends of a motion at angle 0, exactly; none of another."""
+    if a.theta == b.theta == 0 and a.turns == b.turns:
+        return [(a.x, a.y), (b.x, b.y)]
+    return []
+
+
+def is_outside(edge: Edge, vertex: Vector, translations: list[Vector]) -> bool:
+    """Whether the edge's function at angle 0, for the vertex, is at least 0, without rounding.
+
+    It is linear in the translation: at least 0 at both ends of a motion, and so all along it.
+    """
+    functions = [edge.sinusoid(vertex, translation) for translation in translations]
+    return bool(functions) and all(C + D >= 0 for C, D, _ in functions)
+
+
+def check_line(case: Case, place: str, line: SeparatingLine, translations: list[Vector]) -> None:
+    """Check that a segment's line has a pair's convex sum on one side: the segment misses it."""
+    demand(len(set(translations)) == 2, place, "the segment turns, or has no direction")
+    robot, obstacle = case.pieces.pair(place, line.pair)
+    a, b = translations
+    way = minus(b, a) if line.side == keys.LEFT else minus(a, b)
+    beside = all(
+        cross(way, minus(minus(o, r), a)) >= 0 for o in obstacle.vertices for r in robot.vertices
+    )
+    demand(beside, place, "the segment's line may not separate the pair")
 
 
 def check_all_apart(

@@ -83,12 +83,20 @@ class Separator(NamedTuple):
     edge: EdgeName
 
 
+class SeparatingLine(NamedTuple):
+    """A pair whose obstacle piece, less the robot's piece, is on one side of a segment's line."""
+
+    pair: PairName
+    side: str  # of the line, where the obstacle is
+
+
 class Interval(NamedTuple):
-    """Part of a segment, from 0 to `ONE`, and an edge for each pair that needs one."""
+    """Part of a segment, from 0 to `ONE`, and an edge or the line for each pair that needs one."""
 
     begin: int
     end: int
     apart: list[Separator]
+    along: list[SeparatingLine]
 
 
 class PathProof(NamedTuple):
@@ -117,6 +125,19 @@ class DiscProof(NamedTuple):
     separation: Separation
 
 
+class ChainLink(NamedTuple):
+    """An open set of translations that are not free: of a pair, or beyond a side of the bounds."""
+
+    pair: PairName | None
+    side: str | None
+
+
+class ChainProof(NamedTuple):
+    """A closed chain of open sets, each of which overlaps the next."""
+
+    chain: list[ChainLink]
+
+
 class EndProof(NamedTuple):
     """The start or the goal is not free."""
 
@@ -124,7 +145,7 @@ class EndProof(NamedTuple):
     collision: Collision | None  # None: it is out of the reference bounds
 
 
-Proof = PathProof | Separation | DiscProof | EndProof
+Proof = PathProof | Separation | DiscProof | ChainProof | EndProof
 
 
 class Certificate(NamedTuple):

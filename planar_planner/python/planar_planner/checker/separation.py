@@ -35,7 +35,7 @@ def check_separation(case: Case, separation: Separation) -> int:
         for i, claim in enumerate(claims):
             place = f"{name}[{i}]"
             check_full(case, place, claim.collision, domain.extent(place, claim.box, claim.axis))
-    check_cover(separation)
+    check_cover(separation, case.deadline)
     return len(separation.start_side) + len(separation.full) + len(separation.full_faces)
 
 
@@ -67,6 +67,7 @@ def check_ends(case: Case, domain: Domain, start_side: list[Box]) -> None:
     starts, goal, held = places_of(case.start, domain), case.goal, False
     goals = [] if isinstance(goal, GoalArea) else places_of(goal, domain)
     for i, box in enumerate(start_side):
+        case.deadline.check()
         place = f"{keys.START_SIDE}[{i}]"
         extent, ranges = domain.extent(place, box), ranges_of(box)
         if isinstance(goal, GoalArea):

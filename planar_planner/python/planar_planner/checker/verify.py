@@ -10,17 +10,17 @@ import math
 from dataclasses import dataclass
 
 from planar_planner import certificate_keys as keys
-from planar_planner.checker.absence import check_disc, check_end
+from planar_planner.checker.absence import check_chain, check_disc, check_end
 from planar_planner.checker.case import Case, make_case
-from planar_planner.checker.demands import demand
+from planar_planner.checker.demands import NO_DEADLINE, Deadline, demand
 from planar_planner.checker.form import Source, read_certificate
 from planar_planner.checker.path import check_path
-from planar_planner.checker.records import DiscProof, PathProof, Proof, Separation
+from planar_planner.checker.records import ChainProof, DiscProof, PathProof, Proof, Separation
 from planar_planner.checker.separation import check_separation
 from planar_planner.errors import OptionsError
 from planar_planner.load import load_scene
 from planar_planner.problem.fingerprint import fingerprint
-from planar_planner.problem.make import make_problem
+from planar_planner.problem.make import Problem, make_problem
 from planar_planner.problem.rings import judged_by_geos
 from planar_planner.scene.model import Scene
 
@@ -34,7 +34,8 @@ class Verification:
     verdict : str
         ``"path"`` or ``"no_path"``.
     proof : str
-        ``"path"``, ``"separation"``, ``"disc"`` or ``"end"`` (docs/certificate.md).
+        ``"path"``, ``"separation"``, ``"disc"``, ``"odd_chain"`` or ``"end"``
+        (docs/certificate.md).
     contact_tolerance : float
         The path's ends may be so far from start and goal, in the scene's unit of length.
     claims : int
@@ -48,7 +49,10 @@ class Verification:
 
 
 def verify_certificate(
-    scene: Source | Scene, certificate: Source, contact_tolerance: float = 0.0
+    scene: Source | Scene,
+    certificate: Source,
+    contact_tolerance: float = 0.0,
+    timeout: float = math.inf,
 ) -> Verification:
     """Check a certificate against a scene, in exact arithmetic.
 
@@ -60,6 +64,8 @@ def verify_certificate(
         A file (docs/certificate.md), or its content.
     contact_tolerance : float, optional
         Length by which the ends of a path may be off start and goal, if the certificate says so.
+    timeout : float, optional
+        Seconds of the checks; reading is limited by the size of the file (docs/certificate.md).
 
     Returns
     -------
@@ -75,16 +81,31 @@ def verify_certificate(
     CertificateError
         If it cannot be read. `CertificateRejected` is one of these, so catch that first.
     OptionsError
-        If the contact tolerance is negative or not finite.
+        If the contact tolerance is negative or not finite, or the timeout is not positive.
+    VerificationTimeoutError
+        If the timeout is reached.
     """
     if not (contact_tolerance >= 0 and math.isfinite(contact_tolerance)):
         raise OptionsError(
             f"contact_tolerance must be finite and not negative, not {contact_tolerance!r}"
         )
+    if not timeout > 0:
+        raise OptionsError(f"timeout must be positive, not {timeout!r}")
+    deadline = Deadline(timeout)
     problem = make_problem(scene if isinstance(scene, Scene) else load_scene(scene), judged_by_geos)
+    return verify_problem(problem, certificate, contact_tolerance, deadline)
+
+
+def verify_problem(
+    problem: Problem,
+    certificate: Source,
+    contact_tolerance: float = 0.0,
+    deadline: Deadline = NO_DEADLINE,
+) -> Verification:
+    """Check a certificate against a problem, which is valid; see `verify_certificate`."""
     content = read_certificate(certificate)
     demand(content.scene == fingerprint(problem), keys.SCENE, "is not the one certified")
-    return _checked(make_case(problem, content), content.proof, contact_tolerance)
+    return _checked(make_case(problem, content, deadline), content.proof, contact_tolerance)
 
 
 def _checked(case: Case, proof: Proof, contact_tolerance: float) -> Verification:
@@ -99,4 +120,6 @@ def _checked(case: Case, proof: Proof, contact_tolerance: float) -> Verification
     if isinstance(proof, DiscProof):
         claims = check_disc(case, proof)
         return Verification(keys.NO_PATH, keys.DISC_CLAIM, 0.0, claims)
+    if isinstance(proof, ChainProof):
+        return Verification(keys.NO_PATH, keys.CHAIN_CLAIM, 0.0, check_chain(case, proof))
     return Verification(keys.NO_PATH, keys.END_CLAIM, 0.0, check_end(case, proof))

@@ -10,9 +10,7 @@ from contextlib import contextmanager
 from types import FrameType
 
 from planar_planner.errors import OptionsError
-
-TICK = 1e-6
-"""Seconds: the tick of interval timers. A timer of less is none."""
+from planar_planner.tolerances import TIMER_TICK
 
 
 class OutOfTimeError(Exception):
@@ -42,7 +40,7 @@ def time_limit(seconds: float) -> Iterator[None]:
         raise OutOfTimeError
 
     before = signal.signal(signal.SIGALRM, expire)
-    signal.setitimer(signal.ITIMER_REAL, max(seconds, TICK))
+    signal.setitimer(signal.ITIMER_REAL, max(seconds, TIMER_TICK))
     try:
         yield
     finally:

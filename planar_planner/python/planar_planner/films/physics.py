@@ -18,6 +18,8 @@ from planar_planner.films.gif import write_gif
 from planar_planner.films.mp4 import write_mp4
 from planar_planner.films.pace import Pace
 from planar_planner.films.stage import Stage, make_stage
+from planar_planner.load import SceneLike
+from planar_planner.physics.replay import problem_of
 from planar_planner.physics.report import Push, Replay
 from planar_planner.pictures.shapes import polygon_paths
 from planar_planner.pictures.style import GOAL, INK, MIDWAY
@@ -31,14 +33,14 @@ ROBOTS = ("#CC79A7", "#009E73", "#F0E442", "#56B4E9")  # Okabe and Ito; for the 
 
 
 def save_replay(
-    problem: Problem, found: Replay, file: Path, suffix: str, pace: Pace = PACE
+    scene: SceneLike | Problem, found: Replay, file: Path, suffix: str, pace: Pace = PACE
 ) -> None:
     """Write a film of the robot on its path; a robot in collision has another colour.
 
     Parameters
     ----------
-    problem : Problem
-        The scene.
+    scene : Scene, str, path, mapping or Problem
+        The scene of the replay.
     found : Replay
         The result of `replay`.
     file : path
@@ -55,16 +57,16 @@ def save_replay(
     OutputError
         If ffmpeg fails.
     """
-    _write(_replay_frames(problem, found, pace), file, suffix, pace)
+    _write(_replay_frames(problem_of(scene), found, pace), file, suffix, pace)
 
 
-def save_push(problem: Problem, found: Push, file: Path, suffix: str) -> None:
+def save_push(scene: SceneLike | Problem, found: Push, file: Path, suffix: str) -> None:
     """Write a film of all tries at once, in simulated time.
 
     Parameters, errors
         As for `save_replay`.
     """
-    _write(_push_frames(problem, found), file, suffix, PACE)
+    _write(_push_frames(problem_of(scene), found), file, suffix, PACE)
 
 
 def check_save(suffix: str) -> None:

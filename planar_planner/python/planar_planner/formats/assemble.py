@@ -15,6 +15,8 @@ from typing import Any
 from planar_planner.errors import SceneError
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point, Shape
 from planar_planner.scene.fields import Box, Configuration
+from planar_planner.scene.geojson import named
+from planar_planner.scene.import_report import ImportReport
 from planar_planner.scene.model import Scene
 from planar_planner.scene.plane import bounds_of_plane
 
@@ -53,7 +55,10 @@ def scene_of_parts(parts: Parts, options: ImportOptions, notes: Notes, source: s
     sentences = [part for part in (given.description, *notes.as_lines()) if part]
     return Scene(
         robot=as_geojson(given.robot or []),
-        obstacles=[as_geojson([shape]) for shape in given.obstacles],
+        obstacles=[
+            named(as_geojson([shape]), given.obstacle_names.get(i, ""))
+            for i, shape in enumerate(given.obstacles)
+        ],
         start=given.start or (),
         goal=given.goal or (),
         workspace=given.workspace_box if workspace is None else workspace,
@@ -63,8 +68,7 @@ def scene_of_parts(parts: Parts, options: ImportOptions, notes: Notes, source: s
         name=given.name,
         description=" ".join(part if part.endswith(".") else f"{part}." for part in sentences),
         source=source,
-        notes=notes.as_lines(),
-        holds_for=given.holds_for,
+        imported=ImportReport(notes.as_lines(), given.holds_for),
     )
 
 
@@ -94,10 +98,17 @@ def _complete(parts: Parts) -> None:
 
 
 def _without_copies(parts: Parts, notes: Notes) -> Parts:
-    """Drop obstacles that are equal to an earlier one."""
-    kept = list({tuple(map(tuple, shape)): shape for shape in parts.obstacles}.values())
+    """Drop obstacles that are equal to an earlier one, which takes over their names."""
+    kept: dict[tuple[tuple[Point, ...], ...], tuple[Shape, dict[str, None]]] = {}
+    for i, shape in enumerate(parts.obstacles):
+        _, names = kept.setdefault(tuple(map(tuple, shape)), (shape, {}))
+        if i in parts.obstacle_names:
+            names[parts.obstacle_names[i]] = None
     notes.count("copies of other obstacles dropped", len(parts.obstacles) - len(kept))
-    return replace(parts, obstacles=kept)
+    different = replace(parts, obstacles=[], obstacle_names={})
+    for shape, names in kept.values():
+        different.add_obstacles([shape], ", ".join(names))
+    return different
 
 
 def _counted(parts: Parts, options: ImportOptions, notes: Notes) -> None:
@@ -118,7 +129,7 @@ def _counted(parts: Parts, options: ImportOptions, notes: Notes) -> None:
     if not options.allow_empty:
         raise SceneError(
             "the file has no obstacles, and an answer in an empty plane says nothing about it; "
-            "--allow-empty takes it as it is" + notes.names_met()
+            "--allow-empty takes it as it is" + notes.names_met() + "; ".join(["", *notes.hints])
         )
     notes.say("WARNING: the file has no obstacles" + notes.names_met())
 

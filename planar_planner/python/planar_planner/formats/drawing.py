@@ -60,7 +60,8 @@ def parts_of(drawing: Drawing, options: ImportOptions, notes: Notes) -> Parts:
     """
     flattener = _Flattener(drawing, options, notes)
     parts = Parts(rotation=drawing.rotation)
-    parts.obstacles = flattener.shapes("obstacle", grow=True)
+    for figure in drawing.figures.get("obstacle", []):
+        parts.add_obstacles(flattener.shapes_of(figure, grow=True), figure.place)
     robot = flattener.shapes("robot", grow=True)
     if robot:
         parts.robot = _about_origin(robot, drawing.marks.get("origin"), notes)
@@ -136,13 +137,15 @@ class _Flattener:
 
     def shapes(self, role: str, *, grow: bool) -> list[Shape]:
         """Return the polygons of all figures of a role."""
-        found: list[Shape] = []
-        for figure in self._figures.get(role, []):
-            try:
-                found += self._figure(figure, outwards=grow == self._outwards)
-            except SceneError as error:
-                raise SceneError(error.problem, error.field or figure.place, error.value) from None
-        return found
+        figures = self._figures.get(role, [])
+        return [shape for figure in figures for shape in self.shapes_of(figure, grow=grow)]
+
+    def shapes_of(self, figure: Figure, *, grow: bool) -> list[Shape]:
+        """Return the polygons of a figure."""
+        try:
+            return self._figure(figure, outwards=grow == self._outwards)
+        except SceneError as error:
+            raise SceneError(error.problem, error.field or figure.place, error.value) from None
 
     def _figure(self, figure: Figure, *, outwards: bool) -> list[Shape]:
         if not any(outline.curved for outline in figure.outlines):

@@ -10,6 +10,7 @@ from planar_planner.formats.outlines.shapes import shapes_of_geometry
 from planar_planner.formats.parts import Parts
 from planar_planner.problem.goal import is_region
 from planar_planner.scene import fields
+from planar_planner.scene.geojson import name_of
 
 
 def parts_of(content: Mapping[str, Any]) -> Parts:
@@ -23,11 +24,6 @@ def parts_of(content: Mapping[str, Any]) -> Parts:
     if is_region(content["goal"]):
         raise SceneError("is a region; only scene files can state regions", "goal")
     parts = Parts(
-        obstacles=[
-            shape
-            for i, geometry in enumerate(content["obstacles"])
-            for _, shape in shapes_of_geometry(geometry, f"obstacles[{i}]")
-        ],
         robot=[shape for _, shape in shapes_of_geometry(content["robot"], "robot")],
         start=fields.configuration(content["start"], "start"),
         goal=fields.configuration(content["goal"], "goal"),
@@ -35,6 +31,10 @@ def parts_of(content: Mapping[str, Any]) -> Parts:
         name=one_line(content.get("name", "")),  # no format but JSON can hold every character
         description="\n".join(map(one_line, content.get("description", "").splitlines())),
     )
+    for i, geometry in enumerate(content["obstacles"]):
+        path = f"obstacles[{i}]"
+        shapes = [shape for _, shape in shapes_of_geometry(geometry, path)]
+        parts.add_obstacles(shapes, one_line(name_of(geometry)))
     workspace = content.get("workspace")
     if workspace is not None and "box" in workspace:
         parts.workspace_box = fields.box(workspace["box"], "workspace.box")
@@ -44,6 +44,6 @@ def parts_of(content: Mapping[str, Any]) -> Parts:
             raise SceneError("must be one polygon", "workspace", f"{len(shapes)} polygons")
         parts.workspace = shapes[0]
     bounds = content.get("reference_bounds")
-    if bounds is not None:
+    if bounds is not None and content.get("bounds_are_chosen") is not True:
         parts.reference_bounds = fields.box(bounds, "reference_bounds")
     return parts

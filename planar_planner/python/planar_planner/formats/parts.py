@@ -74,12 +74,14 @@ class Notes:
 
     `counts` holds changes that occur many times, `lines` those that occur once. `passed_over` is
     the number of things in the file that became nothing, and `unknown_names` are their names.
+    `hints` are those of the lines that name an option which makes more of the file.
     """
 
     counts: Counter[str] = field(default_factory=Counter)
     lines: list[str] = field(default_factory=list)
     passed_over: int = 0
     unknown_names: dict[str, None] = field(default_factory=dict)
+    hints: list[str] = field(default_factory=list)
 
     def count(self, what: str, times: int = 1) -> None:
         """Count `what`, which reads after a number: ``repeated vertices dropped``."""
@@ -96,6 +98,11 @@ class Notes:
         """Add a line once."""
         if line not in self.lines:
             self.lines.append(line)
+
+    def hint(self, line: str) -> None:
+        """Add a line that an error about an empty file repeats."""
+        self.say(line)
+        self.hints.append(line)
 
     def names_met(self) -> str:
         """Return a clause on the names that have no role; empty if there are none."""
@@ -117,7 +124,10 @@ class Parts:
     Attributes
     ----------
     obstacles : list of Shape
-        World frame.
+        World frame; `add_obstacles` adds some with a name.
+    obstacle_names : dict of int to str
+        What the file calls an obstacle (its id, layer, feature or line), by its index; those of
+        which the file says nothing have none.
     robot : list of Shape, optional
         In the robot's frame, whose origin is the reference point.
     workspace : Shape, optional
@@ -153,3 +163,11 @@ class Parts:
     name: str = ""
     description: str = ""
     holds_for: str = ""
+    obstacle_names: dict[int, str] = field(default_factory=dict)
+
+    def add_obstacles(self, shapes: Iterable[Shape], name: str) -> None:
+        """Add shapes that the file calls by one name."""
+        for shape in shapes:
+            if name:
+                self.obstacle_names[len(self.obstacles)] = name
+            self.obstacles.append(shape)

@@ -203,6 +203,7 @@ def _result(found: _Measured, narrowest: _Narrowest, seconds: float) -> Margin:
         robot_upper=None if upper is None else geometry_of(upper.polygons),
         counts=bracket.counts,
         seconds=seconds,
+        imported=found.problem.imported,
     )
 
 

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from planar_planner.errors import shown
 from planar_planner.frozen_arrays import FrozenArrays
 from planar_planner.margins.surroundings import NearestPoints
+from planar_planner.scene.import_report import NOT_IMPORTED, ImportReport
 
 FORMAT = "planar-planner/margin"
 VERSION = 1
@@ -84,6 +85,9 @@ class Margin(FrozenArrays):
         queries, `cells` in all.
     seconds : float
         Wall-clock time.
+    imported : ImportReport
+        What an importer did to the scene's geometry. If its `holds_for` is ``path``, only `lower`
+        is also proven for the curves of the file; if it is ``no_path``, only `upper` is.
     """
 
     scene: str
@@ -102,6 +106,7 @@ class Margin(FrozenArrays):
     robot_upper: dict[str, Any] | None
     counts: Mapping[str, int]
     seconds: float
+    imported: ImportReport = NOT_IMPORTED
 
     @property
     def neutral(self) -> float:
@@ -165,6 +170,7 @@ class Margin(FrozenArrays):
             "robot_upper": self.robot_upper,
             "counts": dict(self.counts),
             "seconds": self.seconds,
+            **self.imported.to_json(),
         }
 
 

@@ -25,6 +25,8 @@ class NearestPoints:
     ----------
     obstacle : int
         Index in the scene's list of obstacles; -1 for the workspace's outline.
+    name : str
+        The obstacle's name; empty if it has none.
     robot_point, obstacle_point : (x, y)
         Points in the world frame, in the scene's unit.
     distance : float
@@ -32,6 +34,7 @@ class NearestPoints:
     """
 
     obstacle: int
+    name: str
     robot_point: tuple[float, float]
     obstacle_point: tuple[float, float]
     distance: float
@@ -57,6 +60,7 @@ class Surroundings:
             outlines.append((WORKSPACE, shapes_of(problem.workspace)[0]))
         ends = [np.stack(edges_of(shape), axis=1) for _, shape in outlines]
         edges = np.concatenate(ends) if ends else np.empty((0, 2, 2))
+        self._names = problem.obstacle_names
         self._owners = np.repeat([i for i, _ in outlines], [len(e) for e in ends])
         self._edges = shapely.linestrings(edges)
         self._tree = shapely.STRtree(self._edges)
@@ -84,7 +88,8 @@ class Surroundings:
             line = shapely.shortest_line(body, self._edges[i])
             (ax, ay), (bx, by) = line.coords
             owner = int(self._owners[i])
-            contact = NearestPoints(owner, (ax, ay), (bx, by), float(line.length))
+            name = "" if owner == WORKSPACE else self._names[owner]
+            contact = NearestPoints(owner, name, (ax, ay), (bx, by), float(line.length))
             found.setdefault((owner, bx, by), contact)
         return tuple(sorted(found.values(), key=lambda c: (c.distance, c.obstacle)))
 

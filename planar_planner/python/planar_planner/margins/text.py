@@ -7,9 +7,10 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from planar_planner.errors import one_line
+from planar_planner.scene.geojson import title_of_obstacle
 
 if TYPE_CHECKING:
-    from planar_planner.margins.result import Margin
+    from planar_planner.margins.result import Margin, NarrowPlace
     from planar_planner.margins.surroundings import NearestPoints
 
 _VERDICTS = {
@@ -80,14 +81,21 @@ def _narrow_place_lines(margin: Margin) -> list[str]:
     if place is None:
         return []
     x, y, theta = place.configuration
-    touched = ", ".join(dict.fromkeys(_name(contact) for contact in place.contacts))
     return [
-        f"narrowest at x {x:.6g}, y {y:.6g}, theta {theta:.6g}: {place.clearance:.3g} to {touched}"
+        f"narrowest at x {x:.6g}, y {y:.6g}, theta {theta:.6g}: {place.clearance:.3g} to "
+        f"{touched(place)}"
     ]
 
 
+def touched(place: NarrowPlace) -> str:
+    """Return what pinches the robot at a narrow place, each thing once, the nearest first."""
+    return ", ".join(dict.fromkeys(_name(contact) for contact in place.contacts))
+
+
 def _name(contact: NearestPoints) -> str:
-    return "the workspace" if contact.obstacle < 0 else f"obstacles[{contact.obstacle}]"
+    if contact.obstacle < 0:
+        return "the workspace"
+    return title_of_obstacle(contact.name, contact.obstacle)
 
 
 def _length(value: float) -> str:

@@ -31,6 +31,7 @@ from planar_planner.planning.path_judge import Judge
 from planar_planner.planning.placement import check_placements
 from planar_planner.planning.result import Result, make_result
 from planar_planner.problem.make import Problem, make_problem, point_goal
+from planar_planner.scene.import_report import NOT_IMPORTED, ImportReport
 from planar_planner.scene.model import Scene
 
 GRACE = 30.0
@@ -156,12 +157,15 @@ class SceneComparison:
     ----------
     reading_seconds : float
         Further time that a user waits: checking the scene in Python; the same for all planners.
+    imported : ImportReport
+        What an importer did to the scene's geometry.
     """
 
     scene: str
     reading_seconds: float
     ours: tuple[OurRun, ...]
     samplers: dict[str, tuple[SamplerRun, ...]]
+    imported: ImportReport = NOT_IMPORTED
 
 
 def require_ompl() -> None:
@@ -223,7 +227,7 @@ def compare(
                 done = len(samplers) * settings.runs + len(runs)
                 stepped(f"{loaded.name}, {name}", done, len(settings.planners) * settings.runs)
         samplers[name] = tuple(runs)
-    return SceneComparison(loaded.name, reading, ours, samplers)
+    return SceneComparison(loaded.name, reading, ours, samplers, loaded.imported)
 
 
 def run_ours(problem: Problem, judge: Judge, timeout: float) -> OurRun:
@@ -235,7 +239,7 @@ def run_ours(problem: Problem, judge: Judge, timeout: float) -> OurRun:
     answered = time.perf_counter()
     certificate = make_certificate(problem, core.evidence(), options.contact_tolerance)
     ended = time.perf_counter()
-    result: Result = make_result(problem.name, answer, certificate)
+    result: Result = make_result(problem.name, answer, certificate, problem.imported)
     return OurRun(
         verdict=result.verdict,
         reason=result.reason,

@@ -175,6 +175,7 @@ def to_json(
             {
                 "scene": each.scene,
                 "reading_seconds": each.reading_seconds,
+                **each.imported.to_json(),
                 "ours": [_finite(asdict(run)) for run in each.ours],
                 "samplers": {
                     name: [_finite(asdict(run)) for run in runs]

@@ -22,7 +22,7 @@ class Contact:
     Attributes
     ----------
     what : str
-        ``obstacles[3]`` or ``workspace``.
+        ``obstacle 'shelf'`` by its name, ``obstacles[3]`` without one, or ``workspace``.
     count : int
         Configurations with contact, touching included.
     depth : float

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 import pdg
 from planar_planner.planning.path_samples import reach
-from planar_planner.problem.make import Polygons, Problem
+from planar_planner.problem.make import Polygons, Problem, obstacle_title
 from planar_planner.scene.fields import Box
 
 Floats = NDArray[np.float64]
@@ -50,10 +50,8 @@ def robot_shapes(problem: Problem, scale: float) -> list[Shape]:
 def obstacle_shapes(problem: Problem, scale: float) -> list[Shape]:
     """Return the shapes of the obstacles and of the workspace's outside, in the world frame."""
     named = [
-        (f"obstacles[{index}]", polygon)
-        for index, polygon in zip(
-            problem.obstacle_indices.tolist(), shapely_polygons(problem.obstacles), strict=True
-        )
+        (obstacle_title(problem, i), polygon)
+        for i, polygon in enumerate(shapely_polygons(problem.obstacles))
     ]
     shapes = [Shape(what, p * scale) for what, polygon in named for p in _pieces([polygon])]
     if problem.workspace_box is not None:

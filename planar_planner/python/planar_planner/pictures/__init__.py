@@ -6,6 +6,7 @@ The module exports the public functions of this folder, in which each picture ha
 from __future__ import annotations
 
 from planar_planner.pictures.filmstrip import draw_filmstrip
+from planar_planner.pictures.margin import draw_margin
 from planar_planner.pictures.pinch import draw_wall
 from planar_planner.pictures.shapes import placed, polygon_paths
 from planar_planner.pictures.slices import draw_slices
@@ -36,6 +37,7 @@ __all__ = [
     "TRACE",
     "draw_ends",
     "draw_filmstrip",
+    "draw_margin",
     "draw_scene",
     "draw_slices",
     "draw_space",

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.pictures.panels import label_outer, panel_figure
 from planar_planner.pictures.shapes import placed, polygon_paths, workspace_path
 from planar_planner.pictures.style import INK, TRACE, fade, rgba, save_picture
@@ -19,13 +20,12 @@ from planar_planner.pictures.world import draw_world, frame_axes, title_of, view
 from planar_planner.planning.path_samples import Floats, equal_parts, reach
 from planar_planner.planning.result import Result
 from planar_planner.problem.make import Problem, make_problem, with_query
-from planar_planner.scene.model import Scene
 
 FRAMES = 8
 
 
 def draw_filmstrip(
-    scene: Scene,
+    scene: SceneLike,
     result: Result,
     file: str | os.PathLike[str] | None = None,
     *,
@@ -35,8 +35,8 @@ def draw_filmstrip(
 
     Parameters
     ----------
-    scene : Scene
-        The scene, as loaded.
+    scene : Scene, str, path or mapping
+        The scene: anything that `load_scene` takes.
     result : PathFound
         The result whose path is drawn.
     file : path, optional
@@ -52,7 +52,7 @@ def draw_filmstrip(
     """
     if not len(result.path):
         raise ValueError("a filmstrip needs a path")
-    problem = with_query(make_problem(scene), result.path[0], result.path[-1])
+    problem = with_query(make_problem(load_scene(scene)), result.path[0], result.path[-1])
     radius = reach(problem.robot)
     moments = equal_parts(result.path, radius, frames)
     view = view_box(problem, result.path)

@@ -13,15 +13,16 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch, Rectangle
 from matplotlib.path import Path
 
+from planar_planner.errors import one_line
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.margins.result import Margin, NarrowPlace
 from planar_planner.margins.surroundings import placed, shape_of
-from planar_planner.margins.text import margin_headline
+from planar_planner.margins.text import margin_headline, touched
 from planar_planner.pictures.shapes import workspace_path
 from planar_planner.pictures.style import INK, TRACE, new_figure
 from planar_planner.pictures.world import draw_ends, draw_world, frame_axes, view_box
 from planar_planner.problem.make import Problem, make_problem
 from planar_planner.scene.fields import Box
-from planar_planner.scene.model import Scene
 
 ROBOT = "#E69F00"  # Okabe-Ito orange
 OTHER = "#882255"  # wine (Tol), for the robot of the other size
@@ -31,13 +32,13 @@ SIDE = 5.6  # inches of a panel's longer side
 ROOM = 0.25  # margin round the robot in the close-up, as a share of its greater extent
 
 
-def draw_margin(scene: Scene, margin: Margin) -> Figure:
+def draw_margin(scene: SceneLike, margin: Margin) -> Figure:
     """Draw a scene with the place where the largest robot that passes has the least room.
 
     Parameters
     ----------
-    scene : Scene
-        The scene of the margin.
+    scene : Scene, str, path or mapping
+        The scene of the margin: anything that `load_scene` takes.
     margin : Margin
         The result of `planar_planner.margin`.
 
@@ -46,7 +47,7 @@ def draw_margin(scene: Scene, margin: Margin) -> Figure:
     Figure
         The figure, with an Agg canvas. Without a narrow place the close-up is left out.
     """
-    problem = make_problem(scene)
+    problem = make_problem(load_scene(scene))
     view = view_box(problem, margin.path)
     place = margin.narrow_place
     panels = 1 if place is None else 2
@@ -78,7 +79,8 @@ def draw_margin(scene: Scene, margin: Margin) -> Figure:
             )
         )
         frame_axes(axes[1], near, outlined=False)
-        axes[1].set_title("where it is narrowest", color=INK, fontsize=11)
+        pinch = one_line(f"narrowest: {touched(place)}")
+        axes[1].set_title(pinch, color=INK, fontsize=11, parse_math=False, wrap=True)
     headline = margin_headline(margin).replace("; ", "\n", 1)
     figure.suptitle(headline, color=INK, fontsize=12, parse_math=False)
     figure.legend(handles=keys, loc="outside lower center", ncols=4, frameon=False, fontsize=9)

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from planar_planner.explain.about_point import Point, about_point, path_of_point
 from planar_planner.explain.cells import LABEL_COLOURS, Cells, cells_on_path
 from planar_planner.explain.thinnest_place import Bottleneck
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.pictures.boxes3d import draw_boxes, draw_end_points, draw_path, space_axes
 from planar_planner.pictures.goal_region import draw_goal_region
 from planar_planner.pictures.shapes import (
@@ -35,7 +36,6 @@ from planar_planner.planning.path_samples import Floats, equal_parts, reach
 from planar_planner.planning.result import Result
 from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem, ends, make_problem, with_query
-from planar_planner.scene.model import Scene
 
 SIZE = (14.0, 5.4)  # inches
 GHOSTS = 7  # drawings of the robot on its way through the wall
@@ -50,7 +50,7 @@ ROOM = 1.35  # half-width of the close-up, in robot radii about the reference po
 
 
 def draw_wall(
-    scene: Scene,
+    scene: SceneLike,
     wall: Cells,
     bottleneck: Bottleneck,
     file: str | os.PathLike[str] | None = None,
@@ -67,8 +67,8 @@ def draw_wall(
 
     Parameters
     ----------
-    scene : Scene
-        The scene, as loaded.
+    scene : Scene, str, path or mapping
+        The scene: anything that `load_scene` takes.
     wall : Cells
         `Planner.wall` of a planner that has proven that there is no path.
     bottleneck : Bottleneck
@@ -85,7 +85,7 @@ def draw_wall(
     ValueError
         If the wall is empty.
     """
-    problem = with_query(make_problem(scene), start, goal)
+    problem = with_query(make_problem(load_scene(scene)), start, goal)
     if not len(wall):
         raise ValueError("there is no wall to draw")
     if not problem.rotation:

@@ -16,6 +16,7 @@ from matplotlib.patches import Patch, PathPatch
 
 from planar_planner.explain.about_point import about_point, path_of_point
 from planar_planner.explain.cells import LABEL_COLOURS, LABELS, Cells, theta_slice
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.pictures.panels import label_outer, panel_figure
 from planar_planner.pictures.shapes import placed, polygon_paths, rectangles, workspace_path
 from planar_planner.pictures.style import END_COLOURS, INK, TRACE, save_picture
@@ -23,14 +24,13 @@ from planar_planner.pictures.world import frame_axes, title_of, view_box
 from planar_planner.planning.path_samples import Floats, equal_parts, reach
 from planar_planner.planning.result import Result
 from planar_planner.problem.make import Problem, ends, make_problem, with_query
-from planar_planner.scene.model import Scene
 
 COUNT = 6  # number of slices if no angles are given
 LINED_UP_TO = 4000  # cells in one slice; with more cells, lines would hide the colours
 
 
 def draw_slices(
-    scene: Scene,
+    scene: SceneLike,
     cells: Cells,
     thetas: Sequence[float] | None = None,
     file: str | os.PathLike[str] | None = None,
@@ -41,8 +41,8 @@ def draw_slices(
 
     Parameters
     ----------
-    scene : Scene
-        The scene, as loaded.
+    scene : Scene, str, path or mapping
+        The scene: anything that `load_scene` takes.
     cells : Cells
         Cells of a planner that has answered a query about the scene.
     thetas : sequence of float, optional
@@ -58,7 +58,7 @@ def draw_slices(
     ValueError
         If there are no cells, no angles, or an angle that is not finite.
     """
-    problem = make_problem(scene)
+    problem = make_problem(load_scene(scene))
     path = np.empty((0, 3)) if result is None else result.path
     if len(path):
         problem = with_query(problem, path[0], path[-1])

@@ -11,12 +11,12 @@ from matplotlib.patches import Patch
 
 from planar_planner.explain.about_point import about_point, path_of_point
 from planar_planner.explain.cells import FREE, FULL, LABEL_COLOURS, LABELS, MIXED, STAR, Cells
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.pictures.boxes3d import draw_boxes, draw_end_points, draw_path, space_axes
 from planar_planner.pictures.style import END_COLOURS, INK, TRACE, new_figure, save_picture
 from planar_planner.pictures.world import title_of
 from planar_planner.planning.result import Result
 from planar_planner.problem.make import ends, make_problem, with_query
-from planar_planner.scene.model import Scene
 
 SIZE = (12.0, 6.6)  # inches
 # Opacity of a label drawn alone, and in the overview, in which FULL cells would hide the others.
@@ -25,7 +25,7 @@ TOGETHER = {FULL: 0.06, FREE: 0.3, STAR: 0.3}
 
 
 def draw_space(
-    scene: Scene,
+    scene: SceneLike,
     cells: Cells,
     file: str | os.PathLike[str] | None = None,
     *,
@@ -37,8 +37,8 @@ def draw_space(
 
     Parameters
     ----------
-    scene : Scene
-        The scene, as loaded.
+    scene : Scene, str, path or mapping
+        The scene: anything that `load_scene` takes.
     cells : Cells
         Cells of a planner that has answered a query about the scene; at least one.
     file : path, optional
@@ -52,7 +52,7 @@ def draw_space(
     ValueError
         If there are no cells, or if the robot may not turn, because slices then show everything.
     """
-    problem = make_problem(scene)
+    problem = make_problem(load_scene(scene))
     if not len(cells):
         raise ValueError("there are no cells to draw")
     if not problem.rotation:

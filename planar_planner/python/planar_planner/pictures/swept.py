@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from planar_planner.load import SceneLike, load_scene
 from planar_planner.pictures.goal_region import draw_goal_region
 from planar_planner.pictures.shapes import placed, polygon_paths, workspace_path
 from planar_planner.pictures.style import INK, TRACE, fade, new_figure, save_picture
@@ -28,14 +29,13 @@ from planar_planner.planning.path_samples import Floats, equal_steps, reach, tra
 from planar_planner.planning.result import Result
 from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem, make_problem, with_query
-from planar_planner.scene.model import Scene
 
 GHOST_STEP = 0.6  # step between ghosts, in robot radii of travel (planning/path_samples.py)
 MAX_GHOSTS = 160
 
 
 def draw_scene(
-    scene: Scene,
+    scene: SceneLike,
     result: Result | None = None,
     file: str | os.PathLike[str] | None = None,
     *,
@@ -46,8 +46,8 @@ def draw_scene(
 
     Parameters
     ----------
-    scene : Scene
-        The scene, as loaded.
+    scene : Scene, str, path or mapping
+        The scene: anything that `load_scene` takes.
     result : PathFound, NoPath or Undecided, optional
         The verdict goes into the title; a path is drawn as ghosts of the robot at equal steps of
         motion and as the trace of the reference point.
@@ -66,7 +66,7 @@ def draw_scene(
     SceneError
         If the scene is not valid.
     """
-    problem = with_query(make_problem(scene), start, goal)
+    problem = with_query(make_problem(load_scene(scene)), start, goal)
     region = problem.goal
     if result is not None and len(result.path):
         problem = with_query(problem, result.path[0], result.path[-1])

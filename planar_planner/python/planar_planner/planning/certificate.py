@@ -23,6 +23,7 @@ from planar_planner._core import (
     NamedEvidence,
     NamedInterval,
     NamedJoint,
+    NamedLine,
     NamedPolygon,
     NamedTerm,
 )
@@ -75,6 +76,8 @@ def make_certificate(
         certificate[keys.REFERENCE] = evidence.reference
     if evidence.kind == ClaimKind.PATH:
         return certificate | _path(problem, evidence, contact_tolerance)
+    if evidence.kind == ClaimKind.ODD_CHAIN:
+        return certificate | _chain(evidence)
     if evidence.kind == ClaimKind.END:
         return certificate | _end(evidence)
     if evidence.kind == ClaimKind.DISC:
@@ -119,7 +122,26 @@ def _path(problem: Problem, evidence: NamedEvidence, contact_tolerance: float) -
 
 def _interval(interval: NamedInterval) -> Certificate:
     apart = [[*each.pair, _owner(each.edge), each.edge.edge] for each in interval.separators]
-    return {keys.FROM: interval.begin, keys.TO: interval.end, keys.APART: apart}
+    content: Certificate = {
+        keys.FROM: interval.begin,
+        keys.TO: interval.end,
+        keys.APART: apart,
+    }
+    if interval.lines:
+        content[keys.ALONG] = [_line(line) for line in interval.lines]
+    return content
+
+
+def _line(line: NamedLine) -> list[Any]:
+    return [*line.pair, keys.LEFT if line.obstacle_left else keys.RIGHT]
+
+
+def _chain(evidence: NamedEvidence) -> Certificate:
+    links = [
+        {keys.SIDE: keys.WALLS[link.wall]} if link.wall is not None else {keys.PAIR: link.pair}
+        for link in evidence.chain
+    ]
+    return {keys.CLAIM: keys.CHAIN_CLAIM, keys.CHAIN: links}
 
 
 def _turned_goal(waypoint: Sequence[float], goal: Configuration) -> list[Any]:

@@ -16,12 +16,14 @@ PATHS: Mapping[DecidedBy, str] = {
     DecidedBy.FIRST_TRY: "certified after a guess by RRT-Connect",
     DecidedBy.CHANNEL: "certified through a channel of cells",
     DecidedBy.RIDGE: "certified along the ridge of the clearance",
+    DecidedBy.TAUT_PATH: "certified exactly, round the corners of C-obstacles that may be touched",
 }
 """How a path was found."""
 
 PROOFS: Mapping[DecidedBy, str] = {
     DecidedBy.DISC: "a disc inside the robot has no path",
     DecidedBy.SEPARATION: "cells and faces inside the C-obstacle separate start from goal",
+    DecidedBy.ODD_CHAIN: "a closed chain of overlapping C-obstacles separates start from goal",
     DecidedBy.START: "the start is not free",
     DecidedBy.GOAL: "the goal is not free",
 }

@@ -8,7 +8,7 @@ import numpy as np
 
 from planar_planner._core import Core
 from planar_planner.errors import SceneError
-from planar_planner.problem.make import Problem, ends
+from planar_planner.problem.make import Problem, ends, obstacle_title
 
 SMALL_OVERLAP = 1e-3
 """Share of the robot's radius up to which an overlap is probably meant as a contact."""
@@ -47,10 +47,11 @@ def explanation(found: dict[str, Any], problem: Problem) -> str:
     depth = f"{found['depth']:.6g}"
     if found["what"] == "obstacle":
         polygon = found["polygon"]
-        obstacle = f"obstacles[{problem.obstacle_indices[polygon]}]"
-        path = problem.obstacle_paths[polygon]
-        part = "" if path == f"{obstacle}.coordinates" else f" (at {path})"
+        obstacle, path = obstacle_title(problem, polygon), problem.obstacle_paths[polygon]
+        whole = f"obstacles[{problem.obstacle_indices[polygon]}].coordinates"
+        part = "" if path == whole else f" (at {path})"
         return f"robot collides with {obstacle}{part}, penetration depth {depth}"
     if found["what"] == "reference_bounds":
-        return f"reference point is outside reference_bounds by {depth}"
+        chosen = ", which were chosen for a file that states none" * problem.bounds_are_chosen
+        return f"reference point is outside reference_bounds by {depth}{chosen}"
     return f"robot is outside the workspace by {depth}"

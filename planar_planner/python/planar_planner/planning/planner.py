@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 
 from planar_planner._core import Core, Statistics
-from planar_planner.errors import SceneError
+from planar_planner.checker.verify import verify_problem
+from planar_planner.errors import CertificateError, SceneError
 from planar_planner.explain.cells import Cells, make_cells
 from planar_planner.explain.thinnest_place import Bottleneck, make_bottleneck
 from planar_planner.load import SceneLike, load_scene
-from planar_planner.planning.certificate import make_certificate
+from planar_planner.planning.certificate import Certificate, make_certificate
 from planar_planner.planning.engine import Listener, ask, make_core
 from planar_planner.planning.options import Options
 from planar_planner.planning.outcome import STOPS, StopReason
@@ -135,7 +136,12 @@ class Planner:
             except MemoryError:
                 stop = StopReason.OUT_OF_MEMORY
                 return Undecided(
-                    query.name, STOPS[stop], np.empty((0, 3)), Statistics(), stop_reason=stop
+                    query.name,
+                    STOPS[stop],
+                    np.empty((0, 3)),
+                    Statistics(),
+                    stop_reason=stop,
+                    imported=query.imported,
                 )
 
     def cells(self) -> Cells:
@@ -213,20 +219,30 @@ class Planner:
             raise
         answer = ask(core, query, limits, listener)
         answer["stats"] = answer["stats"].replace(least_clearance=core.least_clearance())
-        evidence = core.evidence() if certificate else None
+        close = answer["to_be_checked"]
+        evidence = core.evidence() if certificate or close else None
         self._core = core
         if evidence is None:
-            return make_result(query.name, answer)
+            return make_result(query.name, answer, imported=query.imported)
         written = make_certificate(query, evidence, limits.contact_tolerance)
-        if written is None and answer["verdict"] != "undecided":
-            return _without_evidence(query.name, answer)
-        return make_result(query.name, answer, written)
+        missing = written is None and answer["verdict"] != "undecided"
+        if missing or (close and not _holds(query, written, limits.contact_tolerance)):
+            return _without_evidence(query, answer)
+        return make_result(query.name, answer, written if certificate else None, query.imported)
 
 
-def _without_evidence(scene: str, answer: Mapping[str, Any]) -> Result:
+def _holds(query: Problem, certificate: Certificate | None, contact_tolerance: float) -> bool:
+    """Whether the checker accepts a certificate whose room is within the bound of rounding."""
+    try:
+        verify_problem(query, certificate or {}, contact_tolerance)
+    except CertificateError:
+        return False
+    return True
+
+
+def _without_evidence(query: Problem, answer: Mapping[str, Any]) -> Result:
     """Return an answer whose evidence the core could not write as undecided."""
     undecided = {"verdict": "undecided", "stop_reason": StopReason.NO_EVIDENCE}
     stats = answer["stats"].replace(decided_by=None)
-    return make_result(
-        scene, {**answer, **undecided, "stats": stats, "path": [], "ends_moved": False}
-    )
+    changed = {**answer, **undecided, "stats": stats, "path": [], "ends_moved": False}
+    return make_result(query.name, changed, imported=query.imported)

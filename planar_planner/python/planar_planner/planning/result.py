@@ -14,6 +14,7 @@ from planar_planner._core import Seconds, Statistics
 from planar_planner.frozen_arrays import FrozenArrays, freeze
 from planar_planner.planning.outcome import StopReason, sentence_of
 from planar_planner.planning.result_text import result_html, result_line
+from planar_planner.scene.import_report import NOT_IMPORTED, ImportReport
 
 __all__ = ["NoPath", "PathFound", "Result", "Seconds", "Statistics", "Undecided", "make_result"]
 
@@ -45,6 +46,9 @@ class _Answer(FrozenArrays):
         decided.
     stop_reason : StopReason or None
         Why an undecided query stayed so.
+    imported : ImportReport
+        What an importer did to the scene's geometry, and for which verdict the answer also holds
+        for the curves of its file.
     """
 
     verdict: ClassVar[str]
@@ -54,6 +58,7 @@ class _Answer(FrozenArrays):
     stats: Statistics
     certificate: dict[str, Any] | None = None
     stop_reason: StopReason | None = None
+    imported: ImportReport = NOT_IMPORTED
 
     @property
     def path_length(self) -> float:
@@ -102,6 +107,7 @@ class _Answer(FrozenArrays):
             "stop_reason": self.stop_reason,
             "path": self.path.tolist(),
             "stats": _plain(self.stats.to_dict()),
+            **self.imported.to_json(),
         }
 
 
@@ -131,13 +137,24 @@ _VERDICTS: Mapping[str, type[PathFound] | type[NoPath] | type[Undecided]] = {
 
 
 def make_result(
-    scene: str, answer: Mapping[str, Any], certificate: dict[str, Any] | None = None
+    scene: str,
+    answer: Mapping[str, Any],
+    certificate: dict[str, Any] | None = None,
+    imported: ImportReport | None = None,
 ) -> Result:
     """Build the result from the core's answer."""
     path = np.array(answer["path"], dtype=np.float64).reshape(-1, 3)
     kind = _VERDICTS[answer["verdict"]]
     reason = sentence_of(answer)
-    result = kind(scene, reason, path, answer["stats"], certificate, answer["stop_reason"])
+    result = kind(
+        scene,
+        reason,
+        path,
+        answer["stats"],
+        certificate,
+        answer["stop_reason"],
+        imported or NOT_IMPORTED,
+    )
     freeze(result)
     return result
 

@@ -29,13 +29,25 @@ from planar_planner.problem.polygons import Polygons
 from planar_planner.problem.rings import Judge, clean_polygons, judged_exactly
 from planar_planner.scene import fields
 from planar_planner.scene.fields import Box, Configuration
+from planar_planner.scene.geojson import name_of, title_of_obstacle
 from planar_planner.scene.goal_forms import goal_json
+from planar_planner.scene.import_report import ImportReport
 from planar_planner.scene.input_limits import MAX_ROBOT_VERTICES
 from planar_planner.scene.model import Scene
 from planar_planner.scene.plain import plain
+from planar_planner.scene.plane import stands_for_plane
 from planar_planner.scene.raw_polygons import read_polygons
 
-__all__ = ["Polygons", "Problem", "at_end_of", "ends", "make_problem", "point_goal", "with_query"]
+__all__ = [
+    "Polygons",
+    "Problem",
+    "at_end_of",
+    "ends",
+    "make_problem",
+    "obstacle_title",
+    "point_goal",
+    "with_query",
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,6 +66,8 @@ class Problem:
         Field path in the scene of each polygon of `obstacles`.
     obstacle_indices : NDArray, shape (P,)
         Index in the scene's list of obstacles of each polygon of `obstacles`.
+    obstacle_names : tuple of str
+        Name of each obstacle in the scene's list; empty for those without one.
     workspace_box : (xmin, ymin, xmax, ymax) or None
         The whole robot stays inside. At most one of this and `workspace` is given.
     workspace : Polygons or None
@@ -68,6 +82,8 @@ class Problem:
         Configuration of the robot's frame in the world.
     goal : (x, y, theta) or GoalSet
         A configuration, or a set of them.
+    imported : ImportReport
+        What an importer did to the scene's geometry.
     """
 
     name: str
@@ -76,6 +92,7 @@ class Problem:
     obstacles: Polygons
     obstacle_paths: tuple[str, ...]
     obstacle_indices: NDArray[np.uint32]
+    obstacle_names: tuple[str, ...]
     workspace_box: Box | None
     workspace: Polygons | None
     reference_bounds: Box | None
@@ -83,6 +100,7 @@ class Problem:
     rotation: bool
     start: Configuration
     goal: Goal
+    imported: ImportReport
 
 
 def make_problem(scene: Scene, judge: Judge = judged_exactly) -> Problem:
@@ -106,12 +124,17 @@ def make_problem(scene: Scene, judge: Judge = judged_exactly) -> Problem:
         robot = clean_polygons(read_polygons([("robot", scene.robot)]), judge)
         _check_size(len(robot.coords))
         obstacles = clean_polygons(read_polygons(_listed(scene.obstacles, "obstacles")), judge)
+        names = tuple(name_of(o) for _, o in _listed(scene.obstacles, "obstacles"))
         rotation = fields.truth(scene.rotation, "rotation")
         start = fields.configuration(scene.start, "start")
         robot_arrays = Polygons(robot.coords, robot.ring_starts, robot.polygon_starts)
         obstacle_arrays = Polygons(
             obstacles.coords, obstacles.ring_starts, obstacles.polygon_starts
         )
+        chosen = fields.truth(scene.bounds_are_chosen, "bounds_are_chosen")
+        if chosen:
+            _check_chosen(reference_bounds, scene.workspace, robot_arrays, obstacle_arrays)
+            reference_bounds = _around_ends(reference_bounds, start, scene.goal)
         around = Surroundings(
             robot_arrays, obstacle_arrays, workspace_box, workspace, reference_bounds, judge
         )
@@ -130,13 +153,15 @@ def make_problem(scene: Scene, judge: Judge = judged_exactly) -> Problem:
         obstacles=obstacle_arrays,
         obstacle_paths=obstacles.paths,
         obstacle_indices=obstacles.owners,
+        obstacle_names=names,
         workspace_box=workspace_box,
         workspace=workspace,
         reference_bounds=reference_bounds,
-        bounds_are_chosen=scene.bounds_are_chosen,
+        bounds_are_chosen=chosen,
         rotation=rotation,
         start=start,
         goal=goal,
+        imported=scene.imported,
     )
 
 
@@ -181,6 +206,12 @@ def ends(problem: Problem) -> dict[str, Configuration]:
     if isinstance(problem.goal, GoalSet):
         return {"start": problem.start}
     return {"start": problem.start, "goal": problem.goal}
+
+
+def obstacle_title(problem: Problem, polygon: int) -> str:
+    """Return how texts refer to the obstacle that has a polygon of `Problem.obstacles`."""
+    index = int(problem.obstacle_indices[polygon])
+    return title_of_obstacle(problem.obstacle_names[index], index)
 
 
 def point_goal(problem: Problem, user: str) -> Configuration:
@@ -240,6 +271,37 @@ def _reference_bounds(scene: Scene) -> Box | None:
     return None
 
 
+def _check_chosen(
+    bounds: Box | None, workspace: object, robot: Polygons, obstacles: Polygons
+) -> None:
+    """Refuse bounds that are said to stand for the unbounded plane, but do not."""
+    place = "bounds_are_chosen"
+    if bounds is None or workspace is not None:
+        raise SceneError("needs reference_bounds, and no workspace", place, "true")
+    if not len(obstacles):
+        return
+    coords = obstacles.coords
+    (xmin, ymin), (xmax, ymax) = coords.min(axis=0).tolist(), coords.max(axis=0).tolist()
+    reach = float(np.hypot(*robot.coords.T).max())
+    if not stands_for_plane(bounds, (xmin, ymin, xmax, ymax), reach):
+        raise SceneError(
+            "reference_bounds that stand for the unbounded plane must contain the box of all "
+            f"obstacles grown by the robot's reach, {reach:.6g}, on every side",
+            place,
+            "true",
+        )
+
+
+def _around_ends(bounds: Box | None, start: Configuration, goal: Any) -> Box | None:
+    """Return bounds of the unbounded plane that also contain a start and goal stated later."""
+    if bounds is None:
+        return None
+    ends = [start] if is_region(goal) else [start, fields.configuration(goal, "goal")]
+    xs, ys = [q[0] for q in ends], [q[1] for q in ends]
+    xmin, ymin, xmax, ymax = bounds
+    return min(xmin, *xs), min(ymin, *ys), max(xmax, *xs), max(ymax, *ys)
+
+
 def _as_box(polygon: Polygons) -> Box | None:
     """Return the box that a polygon of four axis-parallel edges is: four constraints, no pieces."""
     if polygon.coords.shape[0] != 4 or len(polygon.ring_starts) != 2:
@@ -250,7 +312,7 @@ def _as_box(polygon: Polygons) -> Box | None:
     return (xmin, ymin, xmax, ymax) if set(map(tuple, polygon.coords.tolist())) == corners else None
 
 
-def _listed(value: Any, field: str) -> Iterable[tuple[str, object]]:
+def _listed(value: Any, field: str) -> Iterable[tuple[str, Any]]:
     if not isinstance(value, list):
         raise SceneError("must be a list of geometries", field, shown(value))
     return ((f"{field}[{i}]", geometry) for i, geometry in enumerate(value))

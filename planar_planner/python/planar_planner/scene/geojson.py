@@ -1,16 +1,21 @@
-"""GeoJSON geometry objects → the polygons in them, with the field path of each for messages."""
+"""GeoJSON geometry objects → the polygons in them, with the field path of each for messages.
+
+An obstacle may have a name: a geometry has it as a member ``name``, a Feature among its properties
+or as an ``id``. Messages, margins and replays use it.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
-from planar_planner.errors import SceneError, shown
+from planar_planner.errors import SceneError, cut, shown
 from planar_planner.scene import fields
 
 _MEMBERS = {
-    "Polygon": ("type", "coordinates", "bbox"),
-    "MultiPolygon": ("type", "coordinates", "bbox"),
-    "GeometryCollection": ("type", "geometries", "bbox"),
+    "Polygon": ("type", "coordinates", "bbox", "name"),
+    "MultiPolygon": ("type", "coordinates", "bbox", "name"),
+    "GeometryCollection": ("type", "geometries", "bbox", "name"),
     "Feature": ("type", "geometry", "properties", "id", "bbox"),
 }
 _INSIDE = {  # what a wrapper may hold; no kind contains itself, so the depth is bounded
@@ -44,6 +49,7 @@ def iter_polygons(
         hint = fields.suggestion(kind, allowed) if isinstance(kind, str) else ""
         raise SceneError(f"unknown type of geometry{hint}", f"{path}.type", shown(kind))
     fields.only_known(members, _MEMBERS[kind], path)
+    fields.text(members.get("name", ""), f"{path}.name")
     if kind == "Feature":
         yield from iter_polygons(members.get("geometry"), f"{path}.geometry", _INSIDE[kind])
     elif kind == "GeometryCollection":
@@ -62,3 +68,24 @@ def _filled_list(value: object, path: str) -> list[object]:
     if not value:
         raise SceneError("must not be empty", path, shown(value))
     return value
+
+
+def named(geometry: dict[str, Any], name: str) -> dict[str, Any]:
+    """Return an obstacle's geometry with a name; as it is if the name is empty."""
+    return {**geometry, "name": name} if name else geometry
+
+
+def name_of(geometry: Mapping[str, Any]) -> str:
+    """Return the name of an obstacle that the gate has read; empty if it has none."""
+    if geometry.get("type") != "Feature":
+        return str(geometry.get("name", ""))
+    properties = geometry.get("properties")
+    found = properties.get("name") if isinstance(properties, Mapping) else None
+    if not isinstance(found, str) or not found:
+        found = geometry.get("id")
+    return str(found) if isinstance(found, (str, int, float)) else ""
+
+
+def title_of_obstacle(name: str, index: int) -> str:
+    """Return how texts refer to an obstacle: by its name, else by its place in the scene."""
+    return f"obstacle {shown(cut(name))}" if name else f"obstacles[{index}]"

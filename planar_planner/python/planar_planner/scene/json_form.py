@@ -6,10 +6,18 @@ from collections.abc import Mapping
 
 from planar_planner.errors import SceneError, shown
 from planar_planner.scene import fields
+from planar_planner.scene.import_report import NOT_IMPORTED
 from planar_planner.scene.model import FORMAT, VERSION, Scene, scene_of_values
 
 _REQUIRED = ("format", "version", "robot", "obstacles", "start", "goal")
-_OPTIONAL = ("name", "description", "workspace", "reference_bounds", "rotation")
+_OPTIONAL = (
+    "name",
+    "description",
+    "workspace",
+    "reference_bounds",
+    "bounds_are_chosen",
+    "rotation",
+)
 
 
 def scene_of_json(content: object, source: str, default_name: str) -> Scene:
@@ -46,9 +54,8 @@ def scene_of_json(content: object, source: str, default_name: str) -> Scene:
                 "name": fields.text(members.get("name", default_name), "name"),
                 "description": fields.text(members.get("description", ""), "description"),
                 "source": source,
-                "notes": (),
-                "holds_for": "",
-                "bounds_are_chosen": False,
+                "bounds_are_chosen": members.get("bounds_are_chosen", False),
+                "imported": NOT_IMPORTED,
             }
         )
     except SceneError as error:

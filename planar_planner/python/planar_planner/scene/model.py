@@ -14,6 +14,7 @@ from planar_planner.errors import SceneError, cut, shown
 from planar_planner.scene import fields
 from planar_planner.scene.geometry import Geometry, Numbers, body, geometries, workspace
 from planar_planner.scene.goal_forms import GoalLike, goal_json
+from planar_planner.scene.import_report import NOT_IMPORTED, ImportReport
 from planar_planner.scene.plain import plain
 
 FORMAT = "planar-planner/scene"
@@ -26,7 +27,7 @@ class Scene:
 
     Geometry is taken as shapely objects, as GeoJSON mappings, or as arrays of vertices, shape
     (n, 2), and kept as GeoJSON. Lengths are in any one unit, angles in radians, anticlockwise. Two
-    scenes are equal if all but `source`, `notes`, `holds_for` and `bounds_are_chosen` is.
+    scenes are equal if all but `source` and `imported` is.
 
     Attributes
     ----------
@@ -53,14 +54,11 @@ class Scene:
         For people; the name also stands in results.
     source : str
         Where the scene came from, for messages; its name if it came from nowhere.
-    notes : tuple of str
-        What an importer did to the geometry of a file in another format.
-    holds_for : str
-        The verdict that carries over to the curves of such a file, ``path`` or ``no_path``; empty
-        if both do.
-    bounds_are_chosen : bool
+    bounds_are_chosen : Any
         Whether `bounds` stand for the unbounded plane (`planar_planner.scene.plane`): a file in
         another format states none, and a margin chooses them anew for each larger robot.
+    imported : ImportReport
+        What an importer did to the geometry of a file in another format.
 
     Raises
     ------
@@ -79,9 +77,8 @@ class Scene:
     name: str
     description: str
     source: str = field(compare=False)
-    notes: tuple[str, ...] = field(compare=False)
-    holds_for: str = field(compare=False)
-    bounds_are_chosen: bool = field(compare=False)
+    bounds_are_chosen: Any
+    imported: ImportReport = field(compare=False)
 
     def __init__(
         self,
@@ -96,13 +93,13 @@ class Scene:
         name: str = "scene",
         description: str = "",
         source: str = "",
-        notes: tuple[str, ...] = (),
-        holds_for: str = "",
         bounds_are_chosen: bool = False,
+        imported: ImportReport | None = None,
     ) -> None:
         given: dict[str, Any] = {"robot": robot, "obstacles": obstacles}
         given |= {"start": start, "goal": goal, "rotation": rotation}
         given |= {"workspace": workspace, "bounds": bounds}
+        given |= {"bounds_are_chosen": bounds_are_chosen}
         try:
             values = {key: _FORMS[key](value) for key, value in given.items()}
             values["name"] = fields.text(name, "name")
@@ -110,8 +107,7 @@ class Scene:
         except SceneError as error:
             raise error.in_source(source or cut(str(name))) from None
         values["source"] = source or cut(name)
-        values |= {"notes": tuple(notes), "holds_for": holds_for}
-        _fill(self, values | {"bounds_are_chosen": bounds_are_chosen})
+        _fill(self, values | {"imported": imported or NOT_IMPORTED})
 
     def __hash__(self) -> int:
         return hash((self.name, self.description))
@@ -120,6 +116,11 @@ class Scene:
         number = len(self.obstacles) if isinstance(self.obstacles, list) else 0
         ends = f"start={shown(self.start)}, goal={shown(self.goal)}"
         return f"Scene(name={shown(self.name)}, {number} obstacle{'s'[number == 1 :]}, {ends})"
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """The notes of `imported`."""
+        return self.imported.notes
 
     def to_dict(self) -> dict[str, Any]:
         """Return the scene as a JSON object that `load_scene` reads back."""
@@ -130,6 +131,8 @@ class Scene:
             content["workspace"] = self.workspace
         if self.bounds is not None:
             content["reference_bounds"] = self.bounds
+        if self.bounds_are_chosen is not False:
+            content["bounds_are_chosen"] = self.bounds_are_chosen
         content["robot"] = self.robot
         content["obstacles"] = self.obstacles
         content["start"] = self.start
@@ -146,6 +149,7 @@ _FORMS: Mapping[str, Any] = {
     "goal": goal_json,
     "workspace": lambda value: workspace(value, "workspace"),
     "bounds": lambda value: plain(value, "reference_bounds"),
+    "bounds_are_chosen": lambda value: plain(value, "bounds_are_chosen"),
     "rotation": lambda value: plain(value, "rotation"),
 }
 """How each field is brought to the form of scene files."""

@@ -6,6 +6,18 @@ from planar_planner.scene.fields import Box
 from planar_planner.tolerances import BOUNDS_SLACK
 
 
+def stands_for_plane(bounds: Box, obstacles: Box, reach: float) -> bool:
+    """Return whether bounds give every query between places in them its answer in the plane.
+
+    They do if they contain the box of all obstacles, grown by `reach` on every side, since start
+    and goal need only be inside (`bounds_of_plane`). Bounds that `bounds_of_plane` chose pass: its
+    slack is larger than the rounding here.
+    """
+    xmin, ymin, xmax, ymax = obstacles
+    room = (xmin - bounds[0], ymin - bounds[1], bounds[2] - xmax, bounds[3] - ymax)
+    return min(room) >= reach
+
+
 def bounds_of_plane(box: Box, reach: float) -> Box:
     """Return bounds with which a query has the same answer as in the unbounded plane.
 

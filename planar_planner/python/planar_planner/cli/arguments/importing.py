@@ -6,7 +6,6 @@ import argparse
 import math
 import sys
 from pathlib import Path
-from typing import Any
 
 from planar_planner.cli.arguments.shared import real_number
 from planar_planner.cli.progress import Progress
@@ -168,10 +167,3 @@ def _check_files(arguments: argparse.Namespace, name: str) -> None:
         if given.get(key) not in (None, STDIN)
     }
     check_distinct(inputs, outputs)
-
-
-def import_json(scene: Scene) -> dict[str, Any]:
-    """Return what an importer said, as members of a JSON answer; none for scene files."""
-    if not scene.notes:
-        return {}
-    return {"notes": list(scene.notes), "holds_for": scene.holds_for}

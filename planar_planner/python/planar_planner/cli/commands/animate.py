@@ -18,12 +18,12 @@ from planar_planner.cli.arguments.shared import (
     file_of,
     real_number,
 )
-from planar_planner.cli.commands.solve import EXIT_STATUS, one_sided, print_verdict
+from planar_planner.cli.commands.solve import EXIT_STATUS, print_verdict, say_one_sided
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
 from planar_planner.errors import one_line
 from planar_planner.films.pace import Pace
-from planar_planner.output_files import check_writable, complain, emit, written_aside
+from planar_planner.output_files import check_writable, emit, written_aside
 
 ANIMATION_SUFFIXES = (*FILM_SUFFIXES, ".html")
 
@@ -124,10 +124,10 @@ def run(arguments: argparse.Namespace) -> int:
     planner = Planner(scene)
     with Progress(sys.stderr, "checking the scene", quiet=arguments.quiet) as progress:
         result = planner.solve(options=options, listener=progress)
+    arguments.stated.status = EXIT_STATUS[result.verdict]
     if not output.to_stdout:
         print_verdict(result, brief=arguments.quiet)
-    if scene.holds_for and result.verdict not in (scene.holds_for, "undecided"):
-        complain(one_sided(scene.holds_for))
+    say_one_sided(result)
     with Progress(sys.stderr, "drawing", quiet=arguments.quiet):
         material = gather(planner, result, options, cells_needed=page or not len(result.path))
         with written_aside(file) as aside:

@@ -80,7 +80,7 @@ def run(arguments: argparse.Namespace) -> int:
             "scene": scene.name,
             "files": [str(file) for file in files],
             **size_json(size),
-            "notes": list(scene.notes),
+            **scene.imported.to_json(),
         }
     )
     return 0

@@ -89,14 +89,16 @@ def run(arguments: argparse.Namespace) -> int:
             width=arguments.width,
             listener=progress,
         )
+    status = EXIT_STATUS[found.verdict] if found.decided else LIMIT_REACHED
+    arguments.stated.status = status
     if not output.to_stdout:
         style = VERDICT_STYLES[found.verdict]
         emit(margin_headline(found, lambda verdict: styled(verdict, style, sys.stdout)))
         if not arguments.quiet:
             emit(margin_details(found))
     output.write(found.to_json())
-    if scene.holds_for:
-        side = "lower" if scene.holds_for == "path" else "upper"
+    if found.imported.holds_for:
+        side = "lower" if found.imported.holds_for == "path" else "upper"
         complain(
             f"curves were flattened to one side: only the {side} number is also proven for the "
             "curves of the drawing"
@@ -108,4 +110,4 @@ def run(arguments: argparse.Namespace) -> int:
         figure = draw_margin(scene, found)
         with written_aside(arguments.plot) as aside:
             save_picture(figure, aside, arguments.plot.suffix)
-    return EXIT_STATUS[found.verdict] if found.decided else LIMIT_REACHED
+    return status

@@ -103,9 +103,10 @@ def run(arguments: argparse.Namespace) -> int:
     _check_extras(arguments)
     scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
     status, text, content = (_push if arguments.push else _replay)(arguments, scene)
+    arguments.stated.status = status
     if not output.to_stdout:
         emit(text.partition("\n")[0] if arguments.quiet else text)
-    output.write(content)
+    output.write(content | scene.imported.to_json())
     return status
 
 

@@ -75,10 +75,11 @@ def facts(scene: Scene) -> dict[str, Any]:
         **size_json(scene_size(scene)),
         "workspace": scene.workspace,
         "reference_bounds": scene.bounds,
+        "bounds_are_chosen": scene.bounds_are_chosen,
         "start": scene.start,
         "goal": scene.goal,
         "rotation": scene.rotation,
-        "notes": list(scene.notes),
+        **scene.imported.to_json(),
         "expected": entry.get("expected"),
         "origin": entry.get("origin"),
     }
@@ -97,7 +98,8 @@ def description(scene: Scene, problem: Problem) -> str:
     if problem.workspace is not None:
         lines.append(f"  workspace: polygon, {len(problem.workspace.coords)} vertices")
     if problem.reference_bounds is not None:
-        lines.append(f"  bounds of the reference point: {list(problem.reference_bounds)}")
+        chosen = ", chosen: the file states none" if problem.bounds_are_chosen else ""
+        lines.append(f"  bounds of the reference point: {list(problem.reference_bounds)}{chosen}")
     lines.append(f"  start: {_text(problem.start)}, goal: {_goal_text(problem.goal)}")
     if not problem.rotation:
         lines.append("  the robot may not turn")

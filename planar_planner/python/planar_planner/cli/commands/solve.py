@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from planar_planner.cli.arguments.importing import import_json, scene_of
+from planar_planner.cli.arguments.importing import scene_of
 from planar_planner.cli.arguments.limits import options_of
 from planar_planner.cli.arguments.query import add_query
 from planar_planner.cli.arguments.shared import VERDICTS, add_command, add_plot
@@ -67,19 +67,16 @@ def run(arguments: argparse.Namespace) -> int:
         result = planner.solve(
             options=options, listener=progress, certificate=arguments.certificate is not None
         )
+    arguments.stated.status = EXIT_STATUS[result.verdict]
     if not output.to_stdout:
         brief = arguments.quiet or arguments.verdict_only
         print_verdict(result, brief=brief, contact_tolerance=options.contact_tolerance)
-    output.write(result.to_json() | import_json(scene))
-    if scene.holds_for and result.verdict not in (scene.holds_for, "undecided"):
-        complain(one_sided(scene.holds_for))
+    output.write(result.to_json())
+    say_one_sided(result)
     if arguments.certificate is not None:
         _write_certificate(result, arguments.certificate)
     if arguments.plot is not None:
-        try:
-            _draw(planner, result, view, arguments, options)
-        except KeyboardInterrupt:  # the verdict is printed, and the status states it all the same
-            complain(f"interrupted; {arguments.plot} is not written")
+        _draw(planner, result, view, arguments, options)
     return EXIT_STATUS[result.verdict]
 
 
@@ -112,15 +109,16 @@ def _write_certificate(result: Result, file: Path) -> None:
         write_certificate(result.certificate, aside, file.name)
 
 
-def one_sided(holds_for: str) -> str:
-    """Return a note on a verdict that does not hold for a file's curves."""
-    if holds_for == "path":
-        return (
-            "curves were flattened outwards: this proof holds for the flattened outlines only; "
-            "try --flatten inwards"
-        )
-    return (
-        "curves were flattened inwards: this path holds for the flattened outlines only; "
+def say_one_sided(result: Result) -> None:
+    """Say on standard error if the verdict does not hold for the curves of the scene's file."""
+    holds_for = result.imported.holds_for
+    if not holds_for or result.verdict in (holds_for, "undecided"):
+        return
+    complain(
+        "curves were flattened outwards: this proof holds for the flattened outlines only; "
+        "try --flatten inwards"
+        if holds_for == "path"
+        else "curves were flattened inwards: this path holds for the flattened outlines only; "
         "try --flatten outwards"
     )
 

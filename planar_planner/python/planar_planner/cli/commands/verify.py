@@ -63,6 +63,7 @@ def run(arguments: argparse.Namespace) -> int:
     scene = scene_of(arguments, arguments.scene)
     with Progress(sys.stderr, "checking the certificate"):
         status, finding = _finding(scene, arguments)
+    arguments.stated.status = status
     if status in (2, 3) and not output.to_stdout:
         complain(f"{arguments.certificate}: {finding['problem']}")
     elif not output.to_stdout:
@@ -92,6 +93,7 @@ def _finding(scene: Any, arguments: argparse.Namespace) -> tuple[int, dict[str, 
         status, content = 2, {"claim": "", "problem": "is too large for the memory"}
     else:
         status, content = 0, proven
+    content |= scene.imported.to_json()
     finding = ("valid", "rejected", "unreadable", "undecided")[status]
     seconds = round(time.monotonic() - began, 3)
     return status, common | {"finding": finding} | content | {"seconds": seconds}

@@ -24,6 +24,7 @@ from planar_planner.formats.outlines.curves import (
 from planar_planner.formats.outlines.junctions import Graph, Walk, boundaries, cut_where_ends_meet
 from planar_planner.formats.outlines.strands import Ends, Strand, Traced, is_closed, span
 from planar_planner.formats.parts import Notes, Point
+from planar_planner.tolerances import WRITTEN_SHARE
 
 
 @dataclass(frozen=True)
@@ -87,7 +88,7 @@ def _graph(
     loose = _once_each(loose, how.reach, notes)
     ends = Ends(loose, how.reach)
     if how.join is not None:
-        ends.pair_free(loose, how.join * (1 + _WRITTEN))
+        ends.pair_free(loose, how.join * (1 + WRITTEN_SHARE))
     return Graph(loose, ends), whole
 
 
@@ -169,10 +170,6 @@ def _refuse_open(graph: Graph, how: Joining) -> None:
 
 _COMPARED = 1000
 """Number of loose ends of which the narrowest gap is looked for; bounds the time of a refusal."""
-
-_WRITTEN = 1e-8
-"""Share by which a gap may exceed a join: messages state gaps to nine digits, and the ends' places
-are rounded themselves."""
 
 
 def _by_distance(ends: Sequence[tuple[Strand, Point]], k: int) -> list[tuple[Strand, Point]]:

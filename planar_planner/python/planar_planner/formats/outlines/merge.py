@@ -8,56 +8,69 @@ this, because obstacles and parts of a robot may overlap.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from planar_planner.formats.outlines.exact import orientation
-from planar_planner.formats.outlines.rings import polygons_of
+from planar_planner.formats.outlines.rings import MIN_RING, polygons_of
 from planar_planner.formats.parts import Notes, Point, Ring, Shape
 
 
-def merged(pieces: Sequence[Ring], place: str, notes: Notes) -> list[Shape]:
+@dataclass(frozen=True)
+class Merged:
+    """Valid polygons, and the indices of the pieces that they are made of."""
+
+    shapes: list[Shape]
+    pieces: list[int]
+
+
+def merged(pieces: Sequence[Ring], place: str, notes: Notes) -> list[Merged]:
     """Return the union of rings, each a simple polygon of any orientation or without area.
 
     Returns
     -------
-    list of Shape
-        Valid polygons with the same union as the pieces that have area.
+    list of Merged
+        Valid polygons with the same union as the pieces that have area, by what hangs together.
     """
     import shapely
 
-    kept = _distinct(pieces, notes)
+    found = _distinct(pieces, notes)
+    kept = [ring for ring, _ in found]
     if not kept:
         return []
     polygons = shapely.polygons([shapely.linearrings(ring) for ring in kept])
     groups = _touching(polygons)
-    shapes: list[Shape] = []
+    united: list[Merged] = []
     for group in groups:
-        own = [kept[i] for i in group]
-        union = _united(polygons[group], own) if len(group) > 1 else None
+        union = _united(polygons[group], [kept[i] for i in group]) if len(group) > 1 else None
         if union is None:
-            shapes += [shape for ring in own for shape in polygons_of([ring], place, notes)]
+            united += [
+                Merged(polygons_of([ring], place, notes), pieces)
+                for ring, pieces in (found[i] for i in group)
+            ]
             if len(group) > 1:
                 notes.count(f"overlapping pieces of the {place} kept apart", len(group))
             continue
-        for polygon in union:
-            shapes += polygons_of(polygon, place, notes, "evenodd")
+        shapes = [s for polygon in union for s in polygons_of(polygon, place, notes, "evenodd")]
+        united.append(Merged(shapes, [k for i in group for k in found[i][1]]))
         notes.count(f"pieces of the {place} united", len(group))
-    return shapes
+    return united
 
 
-def _distinct(pieces: Sequence[Ring], notes: Notes) -> list[Ring]:
-    """Return each piece with area once."""
-    found: dict[frozenset[Point], Ring] = {}
+def _distinct(pieces: Sequence[Ring], notes: Notes) -> list[tuple[Ring, list[int]]]:
+    """Return each piece with area once, with the indices of all its copies."""
+    found: dict[Hashable, tuple[Ring, list[int]]] = {}
     flat = copies = 0
-    for ring in pieces:
+    for k, ring in enumerate(pieces):
         turns = [orientation(ring[0], b, c) for b, c in itertools.pairwise(ring[1:])]
         if not any(turns):
             flat += 1
-        elif len(ring) == 3 and frozenset(ring) in found:
+            continue
+        same = frozenset(ring) if len(ring) == MIN_RING else tuple(ring)  # larger have an order
+        if same in found:
             copies += 1
-        else:
-            found[frozenset(ring)] = ring
+        found.setdefault(same, (ring, []))[1].append(k)
     notes.count("pieces without area dropped", flat)
     notes.count("copies of other pieces dropped", copies)
     return list(found.values())

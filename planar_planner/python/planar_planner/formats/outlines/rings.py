@@ -60,6 +60,7 @@ def polygons_of(
         else:
             clean.append(kept)
     if not clean:
+        notes.passed_over += 1
         return []
     if _reads_as_written(clean, rule) and _is_valid(clean):
         return [clean]
@@ -68,6 +69,7 @@ def polygons_of(
     except SceneError as error:
         raise SceneError(error.problem, place, error.value) from None
     if not shapes:
+        notes.passed_over += 1
         notes.count("rings without area dropped", len(clean))
     elif len(clean) > 1 or len(shapes) > 1 or sum(map(len, shapes)) > 1:
         notes.count("figures cut into simple rings where they touch themselves, region unchanged")

@@ -35,6 +35,9 @@ def repaired(geometry: object, path: str, notes: Notes) -> list[Shape]:
         if len(rings) > 1 and shapes != [[without_repeats(ring) for ring in rings]]:
             check_holes(rings, shapes, place)
         found += shapes
+    written: Any = [rings for _, rings in iter_polygons(geometry, path)]
+    heights = sum(len(p) > 2 for rings in written for ring in rings for p in ring)
+    notes.count("positions of which only x and y are read", heights)
     return found
 
 

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from planar_planner.errors import SceneError, cut, shown
-from planar_planner.formats.outlines.merge import merged
+from planar_planner.formats.outlines.merge import Merged, merged
 from planar_planner.formats.parts import ImportOptions, Notes, Parts, Point, Ring, Shape
 from planar_planner.formats.xml_tree import parse_xml
 
@@ -40,19 +40,27 @@ class Mesh:
     ----------
     faces : list of Ring
         Triangles, and polygons without any cut, since a cut could be wrong.
+    nodes : list of str
+        Id or name of each face's node, for messages; empty if it has neither.
     corners : list of Point
         One point for each vertex as OMPL.app's importer counts them: a position with each of its
         normals and texture coordinates, once in each group of triangles that uses it.
+    units : str
+        A note on the file's unit and upward axis, and how they are used.
     """
 
     faces: list[Ring] = field(default_factory=list)
+    nodes: list[str] = field(default_factory=list)
+    units: str = ""
     corners: list[Point] = field(default_factory=list)
 
 
 def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
     """Read a mesh as obstacles in the file's own frame; it states nothing else."""
     del path, options
-    return Parts(obstacles=region(mesh_of(data), notes))
+    parts = Parts()
+    add_region(mesh_of(data), parts, notes)
+    return parts
 
 
 def read_robot(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
@@ -64,18 +72,23 @@ def read_robot(data: bytes, path: Path, options: ImportOptions, notes: Notes) ->
 
 def centred(mesh: Mesh, notes: Notes) -> list[Shape]:
     """Return the region of a mesh in a frame with the mean of its vertices as origin."""
+    notes.say(mesh.units)
     count = len(mesh.corners)
     x0 = math.fsum(x for x, _ in mesh.corners) / count
     y0 = math.fsum(y for _, y in mesh.corners) / count
-    return _united([[(x - x0, y - y0) for x, y in face] for face in mesh.faces], "robot", notes)
+    faces = [[(x - x0, y - y0) for x, y in face] for face in mesh.faces]
+    return [shape for part in _united(faces, "robot", notes) for shape in part.shapes]
 
 
-def region(mesh: Mesh, notes: Notes) -> list[Shape]:
-    """Return the region of a mesh in the file's own frame."""
-    return _united(mesh.faces, "world", notes)
+def add_region(mesh: Mesh, parts: Parts, notes: Notes) -> None:
+    """Add the region of a mesh in the file's own frame, with the names of its nodes."""
+    notes.say(mesh.units)
+    for part in _united(mesh.faces, "world", notes):
+        names = dict.fromkeys(mesh.nodes[k] for k in part.pieces)
+        parts.add_obstacles(part.shapes, ", ".join(filter(None, names)))
 
 
-def _united(faces: list[Ring], place: str, notes: Notes) -> list[Shape]:
+def _united(faces: list[Ring], place: str, notes: Notes) -> list[Merged]:
     try:
         return merged(faces, place, notes)
     except SceneError as error:
@@ -95,7 +108,7 @@ def mesh_of(data: bytes) -> Mesh:
         If the file is not Collada, or something in it is missing, wrong or not supported.
     """
     document = Document(parse_xml(data, "COLLADA"))
-    mesh = Mesh()
+    mesh = Mesh(units=document.units())
     for node in document.roots():
         _add_node(document, node, document.base(), mesh, 0)
     if not mesh.faces:
@@ -126,6 +139,19 @@ class Document:
         scale = _number(unit.get("meter", "1"), "asset/unit") if unit is not None else 1.0
         return np.diag([scale, scale, scale, 1.0]) @ _UPRIGHT[axis]
 
+    def units(self) -> str:
+        """Return a note on how `base` uses what the file states, or what it takes for granted."""
+        axis = (self.root.findtext("asset/up_axis") or "").strip()
+        unit = self.root.find("asset/unit")
+        metres = None if unit is None else unit.get("meter")
+        length = (
+            "the mesh states no unit, and lengths are taken for metres"
+            if metres is None
+            else f"the mesh's unit of {cut(metres)} metres is applied, so lengths are in metres"
+        )
+        upright = f"{cut(axis)} is turned to Y_UP" if axis not in ("", "Y_UP") else "y is upwards"
+        return f"{length}; {upright}, and faces are projected to the x–y plane"
+
     def roots(self) -> Iterator[ElementTree.Element]:
         """Yield the nodes of the scene."""
         instance = self.root.find("scene/instance_visual_scene")
@@ -142,7 +168,8 @@ class Document:
 def _add_node(
     document: Document, node: ElementTree.Element, above: Matrix, mesh: Mesh, depth: int
 ) -> None:
-    place = f"node {cut(node.get('id') or node.get('name') or '')!r}"
+    name = node.get("id") or node.get("name") or ""
+    place = f"node {cut(name)!r}"
     document.placed += 1
     if depth > _MAX_DEPTH or document.placed > _MAX_NODES:
         raise SceneError("is nested too deeply, or contains itself", place)
@@ -152,6 +179,7 @@ def _add_node(
     for instance in node.findall("instance_geometry"):
         geometry = document.find(instance.get("url"), f"{place}, instance_geometry")
         _add_geometry(document, geometry, matrix, mesh)
+        mesh.nodes += [name and f"node {name!r}"] * (len(mesh.faces) - len(mesh.nodes))
     for instance in node.findall("instance_node"):
         other = document.find(instance.get("url"), f"{place}, instance_node")
         _add_node(document, other, matrix, mesh, depth + 1)

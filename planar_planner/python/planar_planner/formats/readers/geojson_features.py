@@ -42,6 +42,11 @@ def parts_of(content: object, notes: Notes) -> Parts:
             raise SceneError("must be a list", "features", shown(features))
         places = [f"features[{i}]" for i in range(len(features))]
     parts = Parts(name=_text(members, "name"), description=_text(members, "description"))
+    if "crs" in members:
+        notes.say(
+            f"the coordinate system that the file states ({shown(members['crs'])}) is not used: "
+            "coordinates are taken as they are"
+        )
     parts.rotation = fields.truth(members.get("rotation", True), "rotation")
     for place, feature in zip(places, features, strict=True):
         _take(fields.mapping(feature, place), place, parts, notes)
@@ -63,7 +68,9 @@ def _take(feature: Mapping[str, object], place: str, parts: Parts, notes: Notes)
         properties = fields.mapping(given, f"{dot}properties") if given is not None else {}
         dot += "geometry."
     role = properties.get("role")
-    role = "obstacle" if role is None else role
+    if role is None:
+        role = "obstacle"
+        notes.count("features without a role taken as obstacles")
     where = dot.rstrip(".")
     if role not in ROLES:
         hint = fields.suggestion(role, ROLES) if isinstance(role, str) else ""
@@ -76,7 +83,7 @@ def _take(feature: Mapping[str, object], place: str, parts: Parts, notes: Notes)
     areal = _areal(geometry, where, notes if role == "obstacle" else None)
     shapes = [s for part, at in areal for s in repaired(part, at or "geometry", notes)]
     if role == "obstacle":
-        parts.obstacles += shapes
+        parts.add_obstacles(shapes, _name(feature, properties) or place)
     elif role == "robot":
         parts.robot = [*(parts.robot or []), *shapes]
     elif role == "workspace":
@@ -85,6 +92,14 @@ def _take(feature: Mapping[str, object], place: str, parts: Parts, notes: Notes)
         parts.workspace = shapes[0]
     else:
         parts.reference_bounds = _rectangle(shapes, where)
+
+
+def _name(feature: Mapping[str, object], properties: Mapping[str, object]) -> str:
+    """Return what a feature is called: its name, else its id; empty if it has neither."""
+    for value in (properties.get("name"), feature.get("id"), properties.get("id")):
+        if isinstance(value, (str, int, float)) and value != "":
+            return str(value)
+    return ""
 
 
 def _areal(geometry: object, where: str, notes: Notes | None) -> list[tuple[object, str]]:

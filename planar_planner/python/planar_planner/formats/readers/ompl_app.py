@@ -6,9 +6,9 @@ import configparser
 from collections.abc import Mapping
 from pathlib import Path
 
-from planar_planner.errors import SceneError
+from planar_planner.errors import SceneError, cut
 from planar_planner.formats.parts import ImportOptions, Notes, Parts
-from planar_planner.formats.readers.collada import Mesh, centred, mesh_of, region
+from planar_planner.formats.readers.collada import Mesh, add_region, centred, mesh_of
 from planar_planner.formats.reading import angle, coordinate, text_of
 from planar_planner.scene.fields import Box, Configuration
 from planar_planner.scene.json_file import file_bytes
@@ -30,8 +30,11 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
     for key in _SPATIAL:
         if key in problem:
             raise SceneError("belongs to a problem in space; only planar ones are read", key)
+    others = [cut(repr(name)) for name in parser.sections() if name != "problem"]
+    if others:
+        notes.say(f"sections without a part in the problem ignored: {', '.join(others)}")
     parts = Parts(name=problem.get("name", ""))
-    parts.obstacles = region(_mesh(problem, "world", path), notes)
+    add_region(_mesh(problem, "world", path), parts, notes)
     if options.robot is None and options.footprint is None:
         parts.robot = centred(_mesh(problem, "robot", path), notes)
     parts.start, parts.goal = (_configuration(problem, name) for name in ("start", "goal"))

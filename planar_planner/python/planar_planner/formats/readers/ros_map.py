@@ -49,15 +49,14 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
         return parts
     occupied = occupied_cells(content, path, notes, unknown=options.unknown)
     place = _Placement(content, occupied.shape)
-    parts.obstacles = [
-        [place.ring(ring) for ring in polygon] for polygon in grid_polygons(occupied)
-    ]
     rows, columns = occupied.shape
+    for polygon in grid_polygons(occupied):
+        parts.add_obstacles([[place.ring(r) for r in polygon]], _cells(polygon, rows))
     parts.workspace = [place.ring([(0, 0), (columns, 0), (columns, rows), (0, rows)])]
     kinds = "occupied and unknown" if options.unknown else "occupied"
     notes.say(
-        f"{int(occupied.sum())} {kinds} cells of {columns} × {rows}, {place.resolution!r} wide, "
-        f"make {len(parts.obstacles)} polygons; the workspace is the map's rectangle"
+        f"{int(occupied.sum())} {kinds} cells of {columns} × {rows}, {place.resolution!r} metres "
+        f"wide, make {len(parts.obstacles)} polygons; the workspace is the map's rectangle"
     )
     return parts
 
@@ -97,8 +96,12 @@ def occupied_cells(
         if mode == "scale" and image.alpha is not None:
             known = image.alpha == image.top
     cells = known & (share >= occupied_at if mode == "raw" else share > occupied_at)
+    doubtful = ~known | (share > free_at if mode == "raw" else share >= free_at)
+    left = 0 if unknown else int((doubtful & ~cells).sum())
+    if left:
+        notes.hint(f"{left} unknown cells are taken for free; --unknown makes them obstacles")
     if unknown:
-        cells |= ~known | (share > free_at if mode == "raw" else share >= free_at)
+        cells |= doubtful
     _say_rules(image, bool(np.isin(share, (occupied_at, free_at)).any()), mode, notes)
     return np.ascontiguousarray(cells[::-1])
 
@@ -131,6 +134,15 @@ def _image(file: Path) -> Image:
         return decoded(data)
     except SceneError as error:
         raise error if error.source else error.in_source(str(file)) from None
+
+
+def _cells(polygon: list[GridRing], rows: int) -> str:
+    """Return which cells a polygon is made of, counted from 0 as in the image, from above."""
+    xs, ys = zip(*polygon[0], strict=True)
+    return (
+        f"cells of columns {min(xs)} to {max(xs) - 1}, rows {rows - max(ys)} to "
+        f"{rows - min(ys) - 1}"
+    )
 
 
 class _Placement:

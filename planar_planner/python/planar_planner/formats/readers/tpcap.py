@@ -35,7 +35,7 @@ _MOST = 10**6  # most obstacles of a case, and most vertices of an obstacle
 
 def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
     """Read a case."""
-    del path, options
+    del path
     values = re.split(r"[,;\s]+", text_of(data).strip(" ,;\t\r\n"))
     if len(values) < 7:
         found = len(values) if values[0] else 0
@@ -52,7 +52,12 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
     expected = 7 + count + 2 * sum(sizes)
     if len(values) != expected:
         raise SceneError(f"has {len(values)} values, but it announces {expected}")
-    obstacles: list[Shape] = []
+    if options.robot is None and options.footprint is None:
+        notes.say(
+            f"the robot is the competition's car, {_FRONT + REAR_OVERHANG!r} by {WIDTH!r} metres, "
+            "with the middle of its rear axle as reference point; its steering is not modelled"
+        )
+    parts = Parts(robot=[CAR], start=start, goal=goal)
     at = 7 + count
     for k, size in enumerate(sizes):
         ring = [
@@ -60,8 +65,9 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
             for i in range(at, at + 2 * size, 2)
         ]
         at += 2 * size
-        obstacles += polygons_of([ring], f"obstacle {k + 1}", notes)
-    return Parts(obstacles=obstacles, robot=[CAR], start=start, goal=goal)
+        name = f"obstacle {k + 1}"
+        parts.add_obstacles(polygons_of([ring], name, notes), name)
+    return parts
 
 
 def _configuration(values: list[str], names: list[str], first: int) -> Configuration:

@@ -32,6 +32,7 @@ _KIND = re.compile(
     rf"(?:SRID=\d+;)?\s*({_READ}|{_OTHERS})\s*(ZM|Z|M)?\b\s*(.*)",
     re.DOTALL | re.IGNORECASE | re.ASCII,
 )
+_SRID = re.compile(r"SRID=\d+;", re.IGNORECASE)
 _TOKEN = re.compile(r"[(),]|[^\s(),]+")
 _NAMES = {"POLYGON": "Polygon", "MULTIPOLYGON": "MultiPolygon"}
 _STATES = 500  # most brackets inside each other; legal text needs at most four
@@ -54,6 +55,11 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
                 "expected a role and a geometry such as POLYGON ((…))", place, cut(statement)
             )
         role, geometry = (match[1] or "obstacle").lower(), match[2]
+        if match[1] is None:
+            notes.count("geometries without a role taken as obstacles")
+        srid = _SRID.match(geometry)
+        if srid is not None:
+            notes.say(f"{srid[0].rstrip(';')} is not used: coordinates are taken as they are")
         for feature in _features(role, geometry, place, notes):
             features.append(feature)
             places.append(place)
@@ -109,7 +115,7 @@ def _features(role: str, text: str, place: str, notes: Notes) -> Iterator[dict[s
         for part in _members(body, place):
             yield from _features(role, part, place, notes)
         return
-    properties: dict[str, Any] = {"role": role}
+    properties: dict[str, Any] = {"role": role, "name": place}
     if kind == "POINT":
         numbers = body.strip().removeprefix("(").removesuffix(")").split()
         if len(numbers) not in (2, 3) or (len(numbers) == 3 and "M" in dimension):
@@ -147,6 +153,7 @@ def _nested(body: str, place: str, extra: int, notes: Notes) -> list[Any]:
             if not 2 <= len(numbers) <= 2 + max(extra, 2):
                 raise SceneError("a position must be x y", place, cut(str(numbers)))
             stack[-1].append(numbers[:2])
+            notes.count("positions of which only x and y are read", int(len(numbers) > 2))
             numbers.clear()
 
     for token in _TOKEN.findall(body):

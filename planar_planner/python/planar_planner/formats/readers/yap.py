@@ -100,7 +100,7 @@ def _environment(rings: list[tuple[str, Ring]], notes: Notes) -> Parts:
         polygons_of([ring], place, Notes())  # a ring that crosses itself has no direction
         clean = without_repeats(ring)
         if len(set(clean)) < MIN_RING:
-            notes.count("rings without area dropped")
+            notes.pass_over("rings without area dropped")
         elif is_anticlockwise(clean):
             solid.append((place, [ring]))
         else:
@@ -120,7 +120,7 @@ def _environment(rings: list[tuple[str, Ring]], notes: Notes) -> Parts:
         )
     parts = Parts()
     for place, own in solid:
-        parts.obstacles += polygons_of(own, place, notes)
+        parts.add_obstacles(polygons_of(own, place, notes), place)
     for place, ring in boundary:
         shapes = polygons_of([ring], place, notes)
         if len(shapes) != 1:

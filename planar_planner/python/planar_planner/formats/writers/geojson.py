@@ -15,7 +15,9 @@ from planar_planner.scene.fields import Box
 def write(parts: Parts, path: Path) -> Mapping[Path, bytes]:
     """Return a FeatureCollection with roles; nothing is lost."""
     features = [_feature("robot", as_geojson(parts.robot or []))]
-    features += [_feature("obstacle", as_geojson([shape])) for shape in parts.obstacles]
+    for i, shape in enumerate(parts.obstacles):
+        name = {"name": parts.obstacle_names[i]} if i in parts.obstacle_names else {}
+        features.append(_feature("obstacle", as_geojson([shape]), **name))
     if parts.workspace is not None:
         features.append(_feature("workspace", as_geojson([parts.workspace])))
     for role, box in (
@@ -41,5 +43,5 @@ def _corners(box: Box) -> list[tuple[float, float]]:
     return [(box[0], box[1]), (box[2], box[1]), (box[2], box[3]), (box[0], box[3])]
 
 
-def _feature(role: str, geometry: dict[str, Any], **properties: float) -> dict[str, Any]:
+def _feature(role: str, geometry: dict[str, Any], **properties: float | str) -> dict[str, Any]:
     return {"type": "Feature", "properties": {"role": role, **properties}, "geometry": geometry}

@@ -129,7 +129,7 @@ def _walk(
             continue
         block = entity.block()
         if block is None or block.block.is_xref:
-            notes.count("insertions of missing or external blocks ignored")
+            notes.pass_over("insertions of missing or external blocks ignored")
             continue
         if _is_clipped(entity):
             here = replace(here, clipped_by=here.place)

@@ -76,7 +76,7 @@ def _say_what_is_elsewhere(document: Any, notes: Notes) -> None:
         if layout.name != "Model"
         for entity in layout
     )
-    notes.count("entities in paper space ignored", elsewhere)
+    notes.pass_over("entities in paper space ignored", times=elsewhere)
 
 
 # ---- from entities to lines and areas by their roles ------------------------------------------
@@ -113,7 +113,9 @@ def _content(entities: Iterable[Placed], options: ImportOptions, notes: Notes) -
         if role is None:
             notes.pass_over("entities on layers without a role ignored")
             nameless[item.layer] += 1
-        elif role != "ignore":
+        elif role == "ignore":
+            notes.pass_over("entities on layers with the role ignore ignored")
+        else:
             _take(item, role, content, notes)
     if nameless:
         _say_nameless(nameless, content, notes)
@@ -137,15 +139,15 @@ def _take(item: Placed, role: str, content: _Content, notes: Notes) -> None:
     """Add what an entity draws."""
     kind, place, entity = item.entity.dxftype(), item.place, item.entity
     if not item.shown:
-        notes.count("entities not shown ignored (invisible, or their layer is off or frozen)")
+        notes.pass_over("entities not shown ignored (invisible, or their layer is off or frozen)")
     elif item.clipped_by:
         raise SceneError("shows only a part of its block; clip the outlines", item.clipped_by)
     elif kind in _WORDS or kind == "VIEWPORT":
-        notes.count("texts and dimensions ignored")
+        notes.pass_over("texts and dimensions ignored")
     elif role in _MARKS:
         content.drawing.mark(role, mark_of(_mark_points(item)), place)
     elif kind == "POINT":
-        notes.count("points ignored")
+        notes.pass_over("points ignored")
     elif kind in fills.HATCHES:
         runs = [[_mapped(run, item) for run in own] for own in fills.hatch_runs(entity, place)]
         content.hatches.append((role, place, runs))
@@ -216,11 +218,14 @@ def _drawing(content: _Content, options: ImportOptions, notes: Notes) -> Drawing
         drawing.add(role, figure)
     for role, place, boundaries in content.hatches:
         if role in _AREAS and drawing.figures.get(role):
-            notes.count("hatches in outlines ignored")
+            notes.pass_over("hatches in outlines ignored")
             continue
         lengths = fills.Tracing(reach, tolerance, options.join)
         figures = list(fills.hatch_figures(boundaries, place, lengths, notes))
-        notes.count("hatches read as filled areas" if figures else "hatches without area ignored")
+        if figures:
+            notes.count("hatches read as filled areas")
+        else:
+            notes.pass_over("hatches without area ignored")
         for figure in figures:
             drawing.add(role, figure)
     return drawing

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from planar_planner.errors import SceneError
+from planar_planner.errors import SceneError, cut
 from planar_planner.formats.drawing import Drawing
 from planar_planner.formats.outlines.curves import Affine
 from planar_planner.formats.parts import ImportOptions, Notes
@@ -76,6 +77,7 @@ class Document:
     notes: Notes
     drawing: Drawing
     lone: list[tuple[Node, Context, str]] = field(default_factory=list)
+    met: Counter[str] = field(default_factory=Counter)
 
     def is_svg(self, node: Node) -> bool:
         """Return whether an element is of the language of the root."""
@@ -89,6 +91,15 @@ class Document:
         if own is not None and above is not None and own != above and not context.left_out:
             self.notes.count("elements that state a role of their own; that of their group ignored")
         return own if own is not None else above
+
+    def place(self, node: Node, own: tuple[str, ...], context: Context) -> str:
+        """Return what messages call an element: its id, or its number and its closest name."""
+        kind = cut(node.local_name)
+        self.met[kind] += 1
+        if node.id:
+            return f"{kind} {cut(node.id)!r}"
+        closest = next(iter((*own, *context.names)), "")
+        return f"{kind} {self.met[kind]}" + (f" of {cut(closest)!r}" if closest else "")
 
 
 def names_of(node: Node) -> tuple[str, ...]:

@@ -45,7 +45,7 @@ def take(document: Document, node: Node, context: Context, role: str, place: str
         return
     runs = [run for run in runs if _has_area(run)]
     if not runs:
-        document.notes.count("elements without area are left out")
+        document.notes.pass_over("elements without area are left out")
         return
     for clip in context.clips:
         if not all(clip.holds(piece) for run in runs for piece in run):
@@ -64,13 +64,13 @@ def _is_filled(
     if node.local_name == "line":
         if stroked or role not in _SOLID:
             raise SceneError("is a line without area; draw its outline", place)
-        notes.count("elements that a viewer does not show are left out")
+        notes.pass_over("elements that a viewer does not show are left out")
         return None
     if role not in _SOLID:
         return "fill" not in values or values["fill"].text.lower() != "none"
     filled = fill_of(values, document.ids, document.sheet, place) is Paint.SEEN
     if not filled and not stroked:
-        notes.count("elements that a viewer does not show are left out")
+        notes.pass_over("elements that a viewer does not show are left out")
         return None
     if has_marker(values) and node.local_name not in ("rect", "circle", "ellipse"):
         notes.count("markers at the vertices of outlines are ignored")

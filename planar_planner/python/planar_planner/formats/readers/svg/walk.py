@@ -95,7 +95,7 @@ def _take_lone(document: Document) -> None:
     """Take the only shape of a robot's file as the robot."""
     if document.options.only_robot and not document.drawing.figures and len(document.lone) == 1:
         node, context, place = document.lone[0]
-        document.notes.counts.pop(_NO_ROLE, None)
+        document.notes.passed_over -= document.notes.counts.pop(_NO_ROLE, 0)
         document.notes.say(f"the drawing's only shape, {place}, is taken as the robot")
         take(document, node, context, "robot", place)
 
@@ -111,16 +111,19 @@ def _children(document: Document, parent: Node, context: Context) -> None:
 
 def _element(document: Document, node: Node, context: Context) -> None:
     kind = node.local_name
-    place = f"{kind} {cut(node.id)!r}" if node.id else cut(kind)
     own = names_of(node)
+    place = document.place(node, own, context)
     role = document.role(own, context) if kind in SHAPES or kind in _NOT_READ else None
     if kind in SHAPES and role is None and not document.options.only_robot:
         if not context.left_out:
             document.notes.pass_over(_NO_ROLE, (*own, *context.names))
         return
-    if kind in _NOT_READ and role in (None, "ignore"):
-        return
     if role == "ignore":
+        document.notes.pass_over("elements with the role ignore ignored")
+        return
+    if kind in _NOT_READ and role is None:
+        if not context.left_out:
+            document.notes.pass_over("texts, images and the like without a role ignored")
         return
     inner = _within(document, node, own, context, place)
     if kind in SHAPES or kind in _NOT_READ:
@@ -139,9 +142,9 @@ def _element(document: Document, node: Node, context: Context) -> None:
 def _leaf(document: Document, node: Node, inner: Context, role: str | None, place: str) -> None:
     if inner.left_out or not is_visible(inner.values):
         if role is not None:
-            document.notes.count(_LEFT_OUT)
+            document.notes.pass_over(_LEFT_OUT)
     elif role is None:
-        document.notes.count(_NO_ROLE)
+        document.notes.pass_over(_NO_ROLE)
         document.lone.append((node, inner, place))
     elif node.local_name in _NOT_READ:
         raise SceneError(f"cannot be read as {role}; turn it into a path", place)
@@ -209,7 +212,7 @@ def _use(document: Document, node: Node, own: tuple[str, ...], inner: Context, p
     if link and not link.startswith("#"):
         raise SceneError("uses an element of another file, which is not read", place, cut(link))
     if target is None or name in inner.using or _contains(target, node):
-        document.notes.count("use elements without a target in the file are left out")
+        document.notes.pass_over("use elements without a target in the file are left out")
         return
     x, y = (_offset(inner, axis, place) for axis in ("x", "y"))
     role = inner.role if inner.role is not None else document.role(own, replace(inner, names=()))

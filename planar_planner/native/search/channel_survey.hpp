@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "planar_planner/native/cells/face.hpp"
-#include "ridge_path.hpp"
+#include "planar_planner/native/guesses/ridge_path.hpp"
 
 namespace planner {
 

@@ -1,0 +1,66 @@
+// The free translations at one orientation, exactly: a closed rectangle without the open sums of
+// all pairs of pieces. What touches is free.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "open_sum.hpp"
+#include "pdg/native/geometry/box_tree.hpp"
+#include "planar_planner/native/world/scaled_problem.hpp"
+
+namespace planner {
+
+// Closed; empty where low > high.
+struct LatticeRectangle {
+  LatticePoint low, high;
+};
+
+constexpr bool contains(const LatticeRectangle& r, const LatticePoint p) {
+  return r.low.x <= p.x && p.x <= r.high.x && r.low.y <= p.y && p.y <= r.high.y;
+}
+
+// A piece by its polygon and its place in the polygon's partition.
+struct LayerPiece {
+  std::uint32_t polygon = 0;
+  std::uint32_t index = 0;
+  LatticePolygon vertices;  // of the robot: turned as the layer is, about the reference point
+};
+
+struct Layer {
+  Lattice lattice;
+  LatticeRectangle domain;  // of the reference point
+  std::vector<LayerPiece> robot, obstacles;
+  std::vector<OpenSum> sums;
+  pdg::BoxTree tree;  // of the sums' boxes, rounded outwards
+  LatticePoint start, goal;
+};
+
+// Quarter turns of the robot: theta = quarters * pi / 2.
+struct LayerQuery {
+  int quarters = 0;
+  Vec2 start, goal;  // the reference point, user's units
+};
+
+// Limits on the size of a layer, by count.
+struct LayerLimits {
+  std::size_t sums;
+  std::size_t vertices;
+};
+
+// Empty if the scene's numbers share no lattice (kLatticeBits) or the layer exceeds the limits.
+std::optional<Layer> make_layer(const ScaledProblem& problem, const LayerQuery& query,
+                                const LayerLimits& limits);
+
+// Sums whose boxes come near the rectangle spanned by a and b, in the order of the tree.
+void find_near(const Layer& layer, LatticePoint a, LatticePoint b,
+               std::vector<std::int32_t>& found);
+
+// Not in any open sum and inside the domain. `scratch` is working space.
+bool is_free(const Layer& layer, LatticePoint p, std::vector<std::int32_t>& scratch);
+// The same for all points of the closed segment; its ends lie inside the domain.
+bool is_free(const Layer& layer, LatticePoint a, LatticePoint b,
+             std::vector<std::int32_t>& scratch);
+
+}  // namespace planner

@@ -1,0 +1,204 @@
+#include "taut_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+#include "tuning.hpp"
+
+namespace planner {
+
+namespace {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+double distance(const LatticePoint a, const LatticePoint b) {
+  return std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y));
+}
+
+// The doubles round a corner: itself if it is one.
+void append_doubles(std::vector<LatticePoint>& out, const LatticePoint p) {
+  for (const Int64 x : {double_below(p.x), double_above(p.x)})
+    for (const Int64 y : {double_below(p.y), double_above(p.y)}) out.push_back({x, y});
+}
+
+// Start and goal first; then the free corners in lexicographic order.
+std::vector<LatticePoint> corners_of(const Layer& layer) {
+  std::vector<LatticePoint> corners;
+  for (const OpenSum& sum : layer.sums)
+    for (const LatticePoint p : sum.vertices) append_doubles(corners, p);
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  std::vector<std::int32_t> scratch;
+  std::erase_if(corners, [&](const LatticePoint p) { return !is_free(layer, p, scratch); });
+  corners.insert(corners.begin(), {layer.start, layer.goal});
+  return corners;
+}
+
+// Square buckets over points, about one point each.
+class Buckets {
+ public:
+  explicit Buckets(const std::vector<LatticePoint>& points) : points_(points) {
+    low_ = high_ = points.front();
+    for (const LatticePoint p : points) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+    }
+    const double area = std::max(1.0, static_cast<double>(high_.x - low_.x)) *
+                        std::max(1.0, static_cast<double>(high_.y - low_.y));
+    const double side = std::sqrt(area / static_cast<double>(points.size()));
+    const double longest =
+        static_cast<double>(std::max(high_.x - low_.x, high_.y - low_.y)) / kMostColumns;
+    size_ = static_cast<Int64>(std::max({1.0, side, longest})) + 1;
+    columns_ = (high_.x - low_.x) / size_ + 1;
+    rows_ = (high_.y - low_.y) / size_ + 1;
+    buckets_.resize(static_cast<std::size_t>(columns_ * rows_));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      buckets_[bucket(column(points[i]), row(points[i]))].push_back(i);
+  }
+
+  // The `count` points nearest to points[i], nearer ones first, ties by index; i is not among them.
+  [[nodiscard]] std::vector<std::size_t> nearest(const std::size_t i,
+                                                 const std::size_t count) const {
+    std::vector<std::pair<double, std::size_t>> found;
+    const LatticePoint p = points_[i];
+    const Int64 rings = std::max(columns_, rows_);
+    for (Int64 ring = 0; ring <= rings; ++ring) {
+      visit_ring(column(p), row(p), ring, [&](const std::size_t k) {
+        if (k != i) found.emplace_back(distance(p, points_[k]), k);
+      });
+      // Points outside the rings are farther than `ring` buckets.
+      const double reached = static_cast<double>(ring) * static_cast<double>(size_);
+      const auto inside = std::count_if(found.begin(), found.end(),
+                                        [&](const auto& f) { return f.first <= reached; });
+      if (static_cast<std::size_t>(inside) >= count) break;
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<std::size_t> out;
+    for (std::size_t k = 0; k < std::min(count, found.size()); ++k) out.push_back(found[k].second);
+    return out;
+  }
+
+ private:
+  static constexpr double kMostColumns = 4096.0;
+
+  [[nodiscard]] Int64 column(const LatticePoint p) const { return (p.x - low_.x) / size_; }
+  [[nodiscard]] Int64 row(const LatticePoint p) const { return (p.y - low_.y) / size_; }
+  [[nodiscard]] std::size_t bucket(const Int64 c, const Int64 r) const {
+    return static_cast<std::size_t>(r * columns_ + c);
+  }
+
+  template <class Visit>
+  void visit_ring(const Int64 c, const Int64 r, const Int64 ring, const Visit& visit) const {
+    for (Int64 y = std::max<Int64>(0, r - ring); y <= std::min(rows_ - 1, r + ring); ++y) {
+      const bool whole_row = y == r - ring || y == r + ring;
+      const Int64 step = whole_row || ring == 0 ? 1 : 2 * ring;
+      for (Int64 x = c - ring; x <= c + ring; x += step) {
+        if (x < 0 || x >= columns_) continue;
+        for (const std::size_t k : buckets_[bucket(x, y)]) visit(k);
+      }
+    }
+  }
+
+  const std::vector<LatticePoint>& points_;
+  LatticePoint low_, high_;
+  Int64 size_ = 1;
+  Int64 columns_ = 1;
+  Int64 rows_ = 1;
+  std::vector<std::vector<std::size_t>> buckets_;
+};
+
+// A* from corner 0 to corner 1 along segments between each corner and its nearest ones.
+class Search {
+ public:
+  Search(const Layer& layer, const std::vector<LatticePoint>& corners, const Buckets& buckets)
+      : layer_(layer), corners_(corners), buckets_(buckets) {}
+
+  // Empty: no way with so many neighbours, or too much work.
+  std::vector<std::size_t> find(const std::size_t neighbours) {
+    std::vector<double> cost(corners_.size(), std::numeric_limits<double>::infinity());
+    std::vector<std::size_t> before(corners_.size(), kNone);
+    std::vector<bool> closed(corners_.size(), false);
+    using Entry = std::pair<double, std::size_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    cost[0] = 0.0;
+    open.emplace(0.0, 0);
+    while (!open.empty() && !exhausted()) {
+      const std::size_t here = open.top().second;
+      open.pop();
+      if (closed[here]) continue;
+      closed[here] = true;
+      if (here == 1) return way_to(before);
+      std::vector<std::size_t> nearest = buckets_.nearest(here, neighbours);
+      nearest.push_back(1);
+      for (const std::size_t next : nearest) {
+        const double through = cost[here] + distance(corners_[here], corners_[next]);
+        if (closed[next] || through >= cost[next] || !sees(here, next)) continue;
+        cost[next] = through;
+        before[next] = here;
+        open.emplace(through + distance(corners_[next], corners_[1]), next);
+      }
+    }
+    return {};
+  }
+
+  [[nodiscard]] bool exhausted() const { return tests_ >= kMostSegmentTests; }
+
+  bool sees(const std::size_t a, const std::size_t b) {
+    ++tests_;
+    return is_free(layer_, corners_[a], corners_[b], scratch_);
+  }
+
+ private:
+  static std::vector<std::size_t> way_to(const std::vector<std::size_t>& before) {
+    std::vector<std::size_t> way;
+    for (std::size_t at = 1; at != kNone; at = before[at]) way.push_back(at);
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+  const Layer& layer_;
+  const std::vector<LatticePoint>& corners_;
+  const Buckets& buckets_;
+  std::uint64_t tests_ = 0;
+  std::vector<std::int32_t> scratch_;
+};
+
+// Leaves out corners that both neighbours on the way see past, until none is left.
+void shorten(Search& search, std::vector<std::size_t>& way) {
+  for (std::size_t i = 1; i + 1 < way.size();) {
+    if (!search.sees(way[i - 1], way[i + 1])) {
+      ++i;
+      continue;
+    }
+    way.erase(way.begin() + static_cast<std::ptrdiff_t>(i));
+    if (i > 1) --i;
+  }
+}
+
+}  // namespace
+
+std::optional<std::vector<LatticePoint>> find_taut_path(const Layer& layer) {
+  if (layer.start == layer.goal) return std::vector{layer.start, layer.goal};
+  std::vector<std::int32_t> scratch;
+  if (is_free(layer, layer.start, layer.goal, scratch)) return std::vector{layer.start, layer.goal};
+  const std::vector<LatticePoint> corners = corners_of(layer);
+  const Buckets buckets(corners);
+  Search search(layer, corners, buckets);
+  for (std::size_t neighbours = kNearestCorners;; neighbours *= kNearestGrowth) {
+    std::vector<std::size_t> way = search.find(neighbours);
+    if (!way.empty()) {
+      shorten(search, way);
+      std::vector<LatticePoint> path;
+      for (const std::size_t k : way) path.push_back(corners[k]);
+      return path;
+    }
+    if (search.exhausted() || neighbours >= corners.size()) return std::nullopt;
+  }
+}
+
+}  // namespace planner
