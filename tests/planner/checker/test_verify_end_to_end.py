@@ -61,7 +61,7 @@ def test_ends_moved_off_contact_need_the_same_tolerance() -> None:
         "obstacles": [
             {"type": "Polygon", "coordinates": [[[4, 0], [5, 0], [5, 5], [4, 5]]]},
         ],
-        "start": [3, 2, 0],  # flush with the obstacle
+        "start": [3 + 2**-12, 2, 0],  # a little inside the obstacle
         "goal": [8, 3, 1],
     }
     result = Planner(load_scene(scene)).solve(

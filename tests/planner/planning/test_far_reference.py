@@ -15,6 +15,7 @@ from planar_planner import (
     CertificateRejected,
     Options,
     Planner,
+    SceneError,
     load_scene,
     solve,
     verify_certificate,
@@ -130,7 +131,12 @@ def test_the_origin_of_a_body_that_holds_it_stays() -> None:
 def test_a_contact_within_the_tolerance_is_lifted_off() -> None:
     scene = far(1000, 1.02)
     scene["start"] = [-999.4, 2.0, 0.0]  # the body, 1.2 wide, touches the left wall
-    assert solve(scene).verdict == "undecided"
+    exact = solve(scene, certificate=True)
+    assert exact.verdict == "path" and exact.certificate is not None
+    assert verify_certificate(scene, exact.certificate).verdict == "path"
+    scene["start"] = [-999.4 - 2**-12, 2.0, 0.0]  # it overlaps a little
+    with pytest.raises(SceneError, match="start"):
+        solve(scene)
     result = solve(scene, Options(contact_tolerance=1e-3), certificate=True)
     assert result.verdict == "path"
     assert result.certificate is not None

@@ -150,6 +150,7 @@ def test_memory_that_runs_out_while_writing_keeps_the_old_file(
     command = importlib.import_module("planar_planner.cli.commands.solve")
     monkeypatch.setattr(Path, "write_text", write_text)
     arguments = main.__globals__["parse"](["solve", scene_file, "--json", str(file)])
+    arguments.stated = main.__globals__["Stated"]()
     with pytest.raises(OutputError, match="out of memory"):
         command.run(arguments)
     assert file.read_text() == "old"
