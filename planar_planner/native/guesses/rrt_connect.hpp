@@ -15,8 +15,8 @@
 namespace planner {
 
 // Seed of the random numbers: of 300 seeds the one with which the first try solves each of eleven
-// shipped scenes within its first limit; those scenes are small, and each is a matter of luck. On 42
-// open scenes and maps the seeds differ little: half of them are within 8 % of the median in the
+// shipped scenes within its first limit; those scenes are small, and each is a matter of luck. On
+// 42 open scenes and maps the seeds differ little: half of them are within 8 % of the median in the
 // geometric mean of the work, all within 45 %, and this one takes 18 % more.
 inline constexpr std::uint64_t kSeed = 145;
 
@@ -48,7 +48,7 @@ class RrtConnect {
   };
   struct Tree {
     std::vector<Node> nodes;
-    NearestByPlace places;                                     // of the nodes, in their order
+    NearestPoint places;                                       // of the nodes, in their order
     BoxSet boxes;                                              // that hold a node (box_of)
     Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};  // bounds of the nodes' places
   };
@@ -58,7 +58,7 @@ class RrtConnect {
   void add(Tree& tree, const ScaledConfiguration& q, std::uint32_t parent);
   Advance grow(Tree& tree, const ScaledConfiguration& target, double longest);
   Advance step(Tree& tree, std::uint32_t from, const ScaledConfiguration& target);
-  std::uint32_t nearest(Tree& tree, const ScaledConfiguration& target);
+  [[nodiscard]] RoundPoint point(const ScaledConfiguration& q) const;
   bool passes(const ScaledConfiguration& from, const ScaledConfiguration& to);
   [[nodiscard]] ScaledConfiguration towards(const ScaledConfiguration& from,
                                             const ScaledConfiguration& to, double s) const;
