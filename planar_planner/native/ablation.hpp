@@ -26,6 +26,7 @@ namespace planner {
   X(cheap)       /* straight and two-leg moves, and discs, before any subdivision */           \
   X(ridge)       /* paths along the ridge of the clearance; without: channels of cells only */ \
   X(probe)       /* a first try by RRT-Connect, certified; without: cells only */              \
+  X(survey)      /* late in a search split only where a channel is stuck */                    \
   X(layers)      /* robots that may not turn, exactly; without: cells only */                  \
   X(shift)       /* far reference points: plan about a point of the body */
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "tuning.hpp"
 
@@ -32,6 +33,33 @@ ScaledConfiguration RidgePath::middle_of(const CellId id, const double near) con
   return {t, theta};
 }
 
+void RidgePath::begin(const std::uint64_t budget, const Terminator& stop) {
+  most_ = budget == UINT64_MAX ? budget : statistics_.axis_work() + budget;
+  stop_ = &stop;
+}
+
+Foothold RidgePath::foothold(const CellId id) {
+  const Cell& cell = subdivision_.cell(id);
+  const double theta = subdivision_.space().fixed_theta;
+  ScaledConfiguration middle = middle_of(id, theta);
+  if (cell.solid()) return {rounded(middle), INFINITY, false};
+  const ConstraintView undecided = subdivision_.undecided(id);
+  const auto is_node = [](const PairHeader& pair) { return pair.robot == kNode; };
+  if (std::any_of(undecided.pairs.begin(), undecided.pairs.end(), is_node))
+    return {middle, 0.0, true};
+  scope_.clear();
+  climb_.add_axes(undecided, scope_);
+  RidgeClimb::sort_axes(scope_);
+  const Height top = climb_.climb(middle, cell.size * problem_.robot.reach, scope_);
+  return {rounded(top.q), top.clearance, false};
+}
+
+bool RidgePath::join(const ScaledConfiguration& from, const ScaledConfiguration& to,
+                     const std::vector<CellId>& cells, std::vector<ScaledConfiguration>& way) {
+  look_between(cells, {from, 0, 0.0}, {to, cells.size() - 1, 0.0});
+  return connect(from, to, kGapHalvings, way);
+}
+
 // One a cell, but for cells where none is found. False if the channel is too coarse yet.
 bool RidgePath::find_footholds(const std::vector<CellId>& channel) {
   for (std::size_t i = 0; i < channel.size(); ++i) {
@@ -58,8 +86,8 @@ bool RidgePath::find_footholds(const std::vector<CellId>& channel) {
 void RidgePath::list_gaps() {
   gaps_.clear();
   for (std::size_t i = 0; i + 1 < footholds_.size(); ++i) {
-    const Foothold& from = footholds_[i];
-    const Foothold& to = footholds_[i + 1];
+    const Step& from = footholds_[i];
+    const Step& to = footholds_[i + 1];
     const bool missing = to.cell > from.cell + 1;
     gaps_.push_back({i, missing ? -1.0 : std::min(from.clearance, to.clearance), {}});
   }
@@ -68,8 +96,7 @@ void RidgePath::list_gaps() {
   });
 }
 
-void RidgePath::look_between(const std::vector<CellId>& channel, const Foothold& from,
-                             const Foothold& to) {
+void RidgePath::look_between(const std::vector<CellId>& channel, const Step& from, const Step& to) {
   scope_.clear();
   for (std::size_t i = from.cell; i <= to.cell; ++i) {
     const Label label = subdivision_.cell(channel[i]).label;
@@ -117,8 +144,7 @@ bool RidgePath::connect(const ScaledConfiguration& from, const ScaledConfigurati
 std::vector<Configuration> RidgePath::find(const std::vector<CellId>& channel,
                                            const Configuration& start, const Configuration& goal,
                                            const std::uint64_t budget, const Terminator& stop) {
-  most_ = statistics_.axis_work() + budget;
-  stop_ = &stop;
+  begin(budget, stop);
   footholds_.assign(1, {scaled(problem_, start), 0, INFINITY});
   if (!find_footholds(channel)) return {};
   Configuration end = goal;
@@ -127,8 +153,8 @@ std::vector<Configuration> RidgePath::find(const std::vector<CellId>& channel,
   footholds_.push_back({scaled(problem_, end), channel.size() - 1, INFINITY});
   list_gaps();
   for (Gap& gap : gaps_) {
-    const Foothold& from = footholds_[gap.from];
-    const Foothold& to = footholds_[gap.from + 1];
+    const Step& from = footholds_[gap.from];
+    const Step& to = footholds_[gap.from + 1];
     look_between(channel, from, to);
     if (!connect(from.q, to.q, kGapHalvings, gap.configurations)) return {};
   }

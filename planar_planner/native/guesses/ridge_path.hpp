@@ -15,6 +15,13 @@
 
 namespace planner {
 
+// A configuration of one cell that looks free.
+struct Foothold {
+  ScaledConfiguration q;
+  double clearance = 0.0;  // infinite in a solid cell; not positive: none was found
+  bool coarse = false;     // what may be in the cell is not known yet: it has to be split
+};
+
 class RidgePath {
  public:
   RidgePath(const ScaledProblem& problem, const ObstacleTree& tree, const Subdivision& subdivision,
@@ -31,9 +38,18 @@ class RidgePath {
                                   const Configuration& goal, std::uint64_t budget,
                                   const Terminator& stop);
 
+  // The parts of a path, for whoever keeps them. Both count as work and stop as `find` does, whose
+  // budget begin() sets. A foothold's theta is the cell's own.
+  void begin(std::uint64_t budget, const Terminator& stop);
+  Foothold foothold(CellId cell);
+  // Certified configurations that lead on from one configuration to another near the two cells, the
+  // other included. False if the way was not found.
+  bool join(const ScaledConfiguration& from, const ScaledConfiguration& to,
+            const std::vector<CellId>& cells, std::vector<ScaledConfiguration>& way);
+
  private:
   // A configuration in or near one of the channel's cells, free as far as plain doubles tell.
-  struct Foothold {
+  struct Step {
     ScaledConfiguration q;
     std::size_t cell;  // its place in the channel
     double clearance;  // infinite at the ends and in solid cells
@@ -48,7 +64,7 @@ class RidgePath {
   bool find_footholds(const std::vector<CellId>& channel);
   [[nodiscard]] ScaledConfiguration middle_of(CellId id, double near) const;
   void list_gaps();
-  void look_between(const std::vector<CellId>& channel, const Foothold& from, const Foothold& to);
+  void look_between(const std::vector<CellId>& channel, const Step& from, const Step& to);
   bool connect(const ScaledConfiguration& from, const ScaledConfiguration& to, int depth,
                std::vector<ScaledConfiguration>& configurations);
   Height between_axes(const ScaledConfiguration& from, const ScaledConfiguration& to,
@@ -62,7 +78,7 @@ class RidgePath {
   SegmentTest& segments_;
   Statistics& statistics_;
   RidgeClimb climb_;
-  std::vector<Foothold> footholds_;
+  std::vector<Step> footholds_;
   std::vector<Gap> gaps_;
   std::vector<PairAxis> scope_;  // what the cells looked at leave undecided
   std::vector<PairAxis> both_;

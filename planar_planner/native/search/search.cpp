@@ -22,6 +22,7 @@ Search::Search(const ScaledProblem& problem, ObstacleTree& tree, Subdivision& su
       goal_point_(dyadic_point(problem, query.goal)),
       channels_(subdivision, statistics),
       ridge_(problem, tree, subdivision, segments, statistics),
+      survey_(problem, tree, subdivision, segments, statistics),
       first_try_(first_try) {
   work_before_ = cells_work();
   if (query.region != nullptr) goals_.emplace(*query.region, subdivision);
@@ -75,6 +76,10 @@ void Search::run() {
     }
     statistics_.channel_length = channel.size();
     if (try_trees() || try_ridge(channel)) return;
+    if (split_stuck(channel)) {
+      if (query_.answer.verdict == Verdict::kPath) return;
+      continue;
+    }
     const bool everywhere = !problem_.ablation.guided && !solid(channel);
     if (split_mixed(everywhere ? all_cells() : channel)) continue;
     if (!link(channel)) continue;
@@ -120,6 +125,7 @@ void Search::split(const CellId cell) {
     channels_.before_split(cell);
   }
   faces_.forget(cell);
+  survey_.forget(cell);
   const CellId upper = halve(cell);
   const Stopwatch watch(query_.clock, statistics_.seconds.search);
   const auto moved = [&](const CellId end, const std::array<std::uint64_t, 3>& point) {
@@ -297,6 +303,49 @@ bool Search::try_ridge(const std::vector<CellId>& channel) {
   if (path.empty()) return query_.stopped_by.has_value();
   conclude_path(std::move(path), DecidedBy::kRidge);
   return true;
+}
+
+// Late in a search only the cells are split where a channel is stuck, or the path is found that
+// leads through all of it. False if neither came about.
+bool Search::split_stuck(const std::vector<CellId>& channel) {
+  const std::uint64_t before = statistics_.axis_work();
+  const bool due = statistics_.labelled_cells >= kSurveyFrom &&
+                   survey_work_ <= kSurveyShare * (before - survey_work_);
+  if (!due || !problem_.ablation.survey) return false;
+  if (goals_ && !pick_goal(channel.back())) return false;
+  Survey survey;
+  {
+    const Stopwatch watch(query_.clock, statistics_.seconds.path);
+    const Terminator terminator = [this] { return stop(); };
+    survey = survey_.look(channel, query_.start, query_.goal, terminator);
+    survey_work_ += statistics_.axis_work() - before;
+    if (!survey.path.empty()) {
+      CollisionHint hint(problem_, tree_);
+      if (certify_shortened(problem_, tree_, segments_, hint, survey.path, terminator))
+        return false;
+      conclude_path(std::move(survey.path), DecidedBy::kRidge);
+      return true;
+    }
+  }
+  if (split_mixed(survey.stuck)) return true;
+  if (survey.apart.empty()) return false;
+  for (const auto& [a, b] : survey.apart) join_solid(a, b);
+  return true;
+}
+
+// Two solid neighbours along whose face a channel goes on, or does not.
+void Search::join_solid(const CellId a, const CellId b) {
+  if (!subdivision_.linked(a, b)) return;  // one of them has been split by now
+  const Link link = test_face(a, b);
+  const Terminator terminator = [this] { return stop(); };
+  if (link.state == LinkState::kOpen) {
+    if (survey_.join_by(a, b, link.connector, terminator)) return;
+  } else if (link.state == LinkState::kBlocked) {
+    subdivision_.disconnect(a, b);
+    channels_.on_disconnected(a, b);
+    return;
+  }
+  resolve_doubt(a, b);
 }
 
 void Search::conclude_path(std::vector<Configuration> path, const DecidedBy by) {

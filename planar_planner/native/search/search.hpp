@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "channel.hpp"
+#include "channel_survey.hpp"
 #include "goal_cells.hpp"
 #include "planar_planner/native/cells/census.hpp"
 #include "planar_planner/native/cells/face.hpp"
@@ -46,6 +47,8 @@ class Search {
   [[nodiscard]] std::uint64_t cells_work() const;
   bool try_trees();
   bool try_ridge(const std::vector<CellId>& channel);
+  bool split_stuck(const std::vector<CellId>& channel);
+  void join_solid(CellId a, CellId b);
   void conclude_path(std::vector<Configuration> path, DecidedBy by);
   void split(CellId cell);
   CellId halve(CellId cell);
@@ -72,6 +75,8 @@ class Search {
     bool tested_all = true;
   } link_steps_;
   RidgeAttempts ridge_;
+  ChannelSurvey survey_;
+  std::uint64_t survey_work_ = 0;  // of Statistics::axis_work(), what surveys have cost
   FirstTry* first_try_;            // goes on beside the cells; null if there is none
   std::uint64_t work_before_ = 0;  // cells_work when it had its last turn
 };

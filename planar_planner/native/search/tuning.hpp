@@ -34,6 +34,13 @@ inline constexpr float kSlackUp = 0.6F;
 // value in (0, 1] is sound.
 inline constexpr float kBatch = 0.7F;
 
+// Cells that have been labelled before channels are surveyed for what they are stuck at: below it
+// the cells themselves are about as cheap. 4,096 solves a few slanted families with fewer cells and
+// makes gear-jammed a third slower for nothing. Surveys may cost so many times what all the rest
+// has cost, in evaluations of separating-axis functions; a round that may not ask splits the
+// largest cells of the channel. 1 and 4 decide the same families.
+inline constexpr std::uint64_t kSurveyFrom = 8192;
+inline constexpr std::uint64_t kSurveyShare = 1;
 // Work of labelling a cell, of one separating-axis function for it and of one step of the search,
 // in nanoseconds on one machine: by least squares over 61 open scenes and maps, each within a third
 // of its time. guesses/tuning.hpp counts the first try's work in the same unit.

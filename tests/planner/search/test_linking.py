@@ -47,7 +47,7 @@ def test_a_bottleneck_that_is_about_to_close_is_not_made_dearer_by_other_links()
     body = Offsets(problem.robot).between(-0.1453, -0.1447)
     assert body.polygons is not None
     problem = replace(problem, robot=body.polygons)
-    core = make_core(problem, without=["shift"])  # about a point of the body it takes a quarter
+    core = make_core(problem, without=["shift", "survey"])  # with them it takes a part of this
     answer = ask(core, problem, Options())
     assert answer["verdict"] == "no_path"
     assert answer["stats"].faces_tested > 10_000
