@@ -49,7 +49,7 @@ class NearestPoint {
     for (Open next{0, true, 0.0};;) {
       // Down on the side of the point; the other sides wait.
       std::uint32_t at = next.item;
-      double bound = next.least;
+      const double bound = next.least;
       for (bool by_x = next.by_x; at != kNone; by_x = !by_x) {
         ++passed;
         const Item& item = items_[at];
