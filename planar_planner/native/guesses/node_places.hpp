@@ -40,6 +40,8 @@ class NearestPoint {
     }
   }
 
+  [[nodiscard]] std::size_t bytes() const { return items_.capacity() * sizeof(Item); }
+
   // By Euclid's distance, the circle's turn the shorter way round; among equally near ones always
   // the same. `passed` counts those asked. There is at least one.
   std::uint32_t nearest(const RoundPoint& point, const double half, std::uint64_t& passed) {
@@ -104,6 +106,7 @@ class BoxSet {
     size_ = 0;
   }
   [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t bytes() const { return slots_.capacity() * sizeof(std::uint64_t); }
 
  private:
   static constexpr std::uint64_t kFree = UINT64_MAX;  // no number of a box

@@ -40,6 +40,8 @@ class RrtConnect {
   [[nodiscard]] std::uint64_t work() const;
   // Do the trees still reach new places?
   [[nodiscard]] bool growing() const { return growing_; }
+  // Memory of the trees.
+  [[nodiscard]] std::size_t bytes() const { return from_start_.bytes() + from_goal_.bytes(); }
 
  private:
   struct Node {
@@ -51,6 +53,9 @@ class RrtConnect {
     NearestPoint places;                                       // of the nodes, in their order
     BoxSet boxes;                                              // that hold a node (box_of)
     Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};  // bounds of the nodes' places
+    [[nodiscard]] std::size_t bytes() const {
+      return nodes.capacity() * sizeof(Node) + places.bytes() + boxes.bytes();
+    }
   };
   enum class Advance : std::uint8_t { kTrapped, kAdvanced, kReached };
 
