@@ -66,7 +66,8 @@ enum class Adding : std::uint8_t { kSum, kMost, kLatest, kOwn };
     "Times that the repaired trees missed a channel that a flood fill found; a count above 0 is "  \
     "a defect.")                                                                                   \
   X(Work, channel_length, kOwn, "", "Cells of the last channel of the robot itself.")              \
-  X(Bytes, memory_bytes, kMost, "bytes", "Memory of subdivision, constraints and search.")         \
+  X(Bytes, memory_bytes, kMost, "bytes",                                                           \
+    "Memory of subdivision, constraints, search and random trees.")                                \
   X(Bytes, constraint_bytes, kMost, "bytes", "The constraints' part of `memory_bytes`.")           \
   X(Seconds, seconds, kSum, "seconds", "Times, by what was done.")                                 \
   X(Real, path_length, kOwn, "scene's length", "Length of the reference point's path.")            \

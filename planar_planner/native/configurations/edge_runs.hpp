@@ -2,6 +2,8 @@
 // doubles. For hints only.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -15,16 +17,28 @@ class EdgeRuns {
   // The polygon is mapped into the frame.
   EdgeRuns(const Polygon& polygon, const pdg::Frame& frame);
 
-  // Is visit(p, q) true for any edge whose run's box meets [low, high]?
-  template <class Visit>
-  [[nodiscard]] bool any_edge(const Vec2 low, const Vec2 high, const Visit& visit) const {
+  // kMet if meets(p, q) for any edge whose bounding box meets [low, high]; else the least gap
+  // between that box and those of edges, 0 if one meets it.
+  static constexpr double kMet = -1.0;
+  template <class Meets>
+  [[nodiscard]] double gap(const Vec2 low, const Vec2 high, const Meets& meets) const {
+    double least = INFINITY;
     for (const Run& run : runs_) {
-      if (run.low.x > high.x || run.low.y > high.y || run.high.x < low.x || run.high.y < low.y)
+      const double to_run = box_gap(low, high, run.low, run.high);
+      if (to_run > 0.0) {
+        least = std::min(least, to_run);
         continue;
-      for (std::size_t k = run.begin; k < run.end; ++k)
-        if (visit(points_[k], points_[k + 1])) return true;
+      }
+      for (std::size_t k = run.begin; k < run.end; ++k) {
+        const Vec2 p = points_[k];
+        const Vec2 q = points_[k + 1];
+        const double to_edge = box_gap(low, high, {std::min(p.x, q.x), std::min(p.y, q.y)},
+                                       {std::max(p.x, q.x), std::max(p.y, q.y)});
+        if (to_edge < 0.0 && meets(p, q)) return kMet;
+        least = std::min(least, std::max(to_edge, 0.0));
+      }
     }
-    return false;
+    return least;
   }
 
   [[nodiscard]] std::size_t count() const { return runs_.size(); }
@@ -37,6 +51,12 @@ class EdgeRuns {
     Vec2 low, high;
     std::size_t begin, end;  // edge k runs from point k to point k + 1
   };
+
+  // Negative if the boxes overlap.
+  static double box_gap(const Vec2 a_low, const Vec2 a_high, const Vec2 b_low, const Vec2 b_high) {
+    return std::max(std::max(a_low.x - b_high.x, b_low.x - a_high.x),
+                    std::max(a_low.y - b_high.y, b_low.y - a_high.y));
+  }
 
   void add_runs(std::size_t begin, std::size_t end);
 

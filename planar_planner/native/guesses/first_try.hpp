@@ -30,6 +30,7 @@ class FirstTry {
   [[nodiscard]] std::uint64_t work() const { return trees_.work() + certificates_; }
   // Do the trees still reach new places?
   [[nodiscard]] bool promising() const { return trees_.growing(); }
+  [[nodiscard]] std::size_t bytes() const { return trees_.bytes(); }
   // Separating-axis functions evaluated for its certificates: they stand in the statistics.
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 

@@ -11,22 +11,27 @@
 #include <vector>
 
 #include "planar_planner/native/world/problem.hpp"
-#include "tuning.hpp"
 
 namespace planner {
 
-// A k-d tree of translations. Numbers what is added from 0. Not balanced: nodes of random trees
-// come in random order. To split by theta as well was tried: as many nodes are passed, and each
-// takes half as long again.
-class NearestByPlace {
+// A point of the plane, and one of a circle: in [-half, half], whose ends are the same.
+struct RoundPoint {
+  Vec2 place;
+  double turn = 0.0;
+};
+
+// A k-d tree of places. Numbers what is added from 0. Not balanced: nodes of random trees come in
+// random order. To split by the turn as well was tried: as many nodes are passed.
+class NearestPoint {
  public:
-  void add(const Vec2 place) {
+  void add(const RoundPoint& point) {
     const auto index = static_cast<std::uint32_t>(items_.size());
-    items_.push_back({place, {kNone, kNone}});
+    items_.push_back({point, {kNone, kNone}});
     if (index == 0) return;
     std::uint32_t at = 0;
     for (bool by_x = true;; by_x = !by_x) {
-      std::uint32_t& next = items_[at].below[side(items_[at].place, place, by_x)];
+      const Vec2 way = point.place - items_[at].point.place;
+      std::uint32_t& next = items_[at].below[side(by_x ? way.x : way.y)];
       if (next == kNone) {
         next = index;
         return;
@@ -35,55 +40,52 @@ class NearestByPlace {
     }
   }
 
-  // The one with the least squared_distance(index), among equal ones always the same; that distance
-  // is never less than the squared distance of the places. `passed` counts items asked.
-  template <class SquaredDistance>
-  std::uint32_t nearest(const Vec2 place, const SquaredDistance& squared_distance,
-                        std::uint64_t& passed) {
+  [[nodiscard]] std::size_t bytes() const { return items_.capacity() * sizeof(Item); }
+
+  // By Euclid's distance, the circle's turn the shorter way round; among equally near ones always
+  // the same. `passed` counts those asked. There is at least one.
+  std::uint32_t nearest(const RoundPoint& point, const double half, std::uint64_t& passed) {
     std::uint32_t best = 0;
     double least = INFINITY;
-    const auto ask = [&](const std::uint32_t i, const Vec2 way) {
-      ++passed;
-      if (dot(way, way) >= least) return;  // most are too far away without their turn
-      const double there = squared_distance(i);
-      if (there < least) least = there, best = i;
-    };
-    if (items_.size() <= kFewItems) {
-      for (std::uint32_t i = 0; i < items_.size(); ++i) ask(i, place - items_[i].place);
-      return best;
-    }
-    open_.assign(1, {0, true, 0.0});
-    while (!open_.empty()) {
-      const Open open = open_.back();
+    open_.clear();
+    for (Open next{0, true, 0.0};;) {
+      // Down on the side of the point; the other sides wait.
+      std::uint32_t at = next.item;
+      const double bound = next.least;
+      for (bool by_x = next.by_x; at != kNone; by_x = !by_x) {
+        ++passed;
+        const Item& item = items_[at];
+        const Vec2 way = point.place - item.point.place;
+        const double turn = std::abs(point.turn - item.point.turn);
+        const double round = std::min(turn, 2.0 * half - turn);
+        const double there = dot(way, way) + round * round;
+        if (there < least) least = there, best = at;
+        const double across = by_x ? way.x : way.y;
+        const std::size_t near = side(across);
+        const double beyond = std::max(bound, across * across);
+        if (const std::uint32_t far = item.below[1 - near]; far != kNone && beyond < least)
+          open_.push_back({far, !by_x, beyond});
+        at = item.below[near];
+      }
+      while (!open_.empty() && open_.back().least >= least) open_.pop_back();
+      if (open_.empty()) return best;
+      next = open_.back();
       open_.pop_back();
-      if (open.least >= least) continue;
-      const Item& item = items_[open.item];
-      const Vec2 way = place - item.place;
-      ask(open.item, way);
-      const double across = open.by_x ? way.x : way.y;
-      const std::size_t near = side(item.place, place, open.by_x);
-      if (const std::uint32_t far = item.below[1 - near]; far != kNone)
-        open_.push_back({far, !open.by_x, std::max(open.least, across * across)});
-      if (const std::uint32_t next = item.below[near]; next != kNone)
-        open_.push_back({next, !open.by_x, open.least});
     }
-    return best;
   }
 
  private:
   static constexpr std::uint32_t kNone = UINT32_MAX;
   struct Item {
-    Vec2 place;
+    RoundPoint point;
     std::array<std::uint32_t, 2> below;  // the lesser side, the other one
   };
   struct Open {
     std::uint32_t item;
     bool by_x;
-    double least;  // squared distance of anything below from the place asked about, or less
+    double least;  // squared distance of anything below from the point asked about, or less
   };
-  static std::size_t side(const Vec2 of, const Vec2 place, const bool by_x) {
-    return (by_x ? place.x >= of.x : place.y >= of.y) ? 1 : 0;
-  }
+  static std::size_t side(const double across) { return across >= 0.0 ? 1 : 0; }
 
   std::vector<Item> items_;
   std::vector<Open> open_;  // of one search
@@ -104,6 +106,7 @@ class BoxSet {
     size_ = 0;
   }
   [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t bytes() const { return slots_.capacity() * sizeof(std::uint64_t); }
 
  private:
   static constexpr std::uint64_t kFree = UINT64_MAX;  // no number of a box

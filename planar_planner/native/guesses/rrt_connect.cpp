@@ -98,7 +98,7 @@ std::uint64_t RrtConnect::box_of(const ScaledConfiguration& q) const {
 
 void RrtConnect::add(Tree& tree, const ScaledConfiguration& q, const std::uint32_t parent) {
   tree.nodes.push_back({q, parent});
-  tree.places.add(q.t);
+  tree.places.add(point(q));
   tree.low = {std::min(tree.low.x, q.t.x), std::min(tree.low.y, q.t.y)};
   tree.high = {std::max(tree.high.x, q.t.x), std::max(tree.high.y, q.t.y)};
   tree.boxes.insert(box_of(q));
@@ -141,7 +141,8 @@ void RrtConnect::hand_over(Tree& tree, const std::uint32_t root, Tree& to) {
 // Steps towards the target, for as long a way as that; what the last step did.
 RrtConnect::Advance RrtConnect::grow(Tree& tree, const ScaledConfiguration& target,
                                      const double longest) {
-  std::uint32_t from = nearest(tree, target);
+  std::uint32_t from =
+      tree.places.nearest(point(target), problem_.robot.reach * kHalfTurn, passed_);
   double way = 0.0;
   for (;;) {
     way += range_;
@@ -166,10 +167,9 @@ RrtConnect::Advance RrtConnect::step(Tree& tree, const std::uint32_t from,
   return reaches ? Advance::kReached : Advance::kAdvanced;
 }
 
-std::uint32_t RrtConnect::nearest(Tree& tree, const ScaledConfiguration& target) {
-  return tree.places.nearest(
-      target.t, [&](const std::uint32_t i) { return squared_distance(tree.nodes[i].q, target); },
-      passed_);
+// A turn counts as its longest way.
+RoundPoint RrtConnect::point(const ScaledConfiguration& q) const {
+  return {q.t, problem_.robot.reach * q.theta};
 }
 
 // Asks about the far end, then ever finer between, but no finer where the gap covers the rest.

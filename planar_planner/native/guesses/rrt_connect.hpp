@@ -40,6 +40,8 @@ class RrtConnect {
   [[nodiscard]] std::uint64_t work() const;
   // Do the trees still reach new places?
   [[nodiscard]] bool growing() const { return growing_; }
+  // Memory of the trees.
+  [[nodiscard]] std::size_t bytes() const { return from_start_.bytes() + from_goal_.bytes(); }
 
  private:
   struct Node {
@@ -48,9 +50,12 @@ class RrtConnect {
   };
   struct Tree {
     std::vector<Node> nodes;
-    NearestByPlace places;                                     // of the nodes, in their order
+    NearestPoint places;                                       // of the nodes, in their order
     BoxSet boxes;                                              // that hold a node (box_of)
     Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};  // bounds of the nodes' places
+    [[nodiscard]] std::size_t bytes() const {
+      return nodes.capacity() * sizeof(Node) + places.bytes() + boxes.bytes();
+    }
   };
   enum class Advance : std::uint8_t { kTrapped, kAdvanced, kReached };
 
@@ -58,7 +63,7 @@ class RrtConnect {
   void add(Tree& tree, const ScaledConfiguration& q, std::uint32_t parent);
   Advance grow(Tree& tree, const ScaledConfiguration& target, double longest);
   Advance step(Tree& tree, std::uint32_t from, const ScaledConfiguration& target);
-  std::uint32_t nearest(Tree& tree, const ScaledConfiguration& target);
+  [[nodiscard]] RoundPoint point(const ScaledConfiguration& q) const;
   bool passes(const ScaledConfiguration& from, const ScaledConfiguration& to);
   [[nodiscard]] ScaledConfiguration towards(const ScaledConfiguration& from,
                                             const ScaledConfiguration& to, double s) const;

@@ -32,9 +32,7 @@ inline constexpr double kSurroundings = 1.0;
 // each within a factor of two. Search::cells_work counts in the same unit.
 inline constexpr std::uint64_t kCheckWork = 60;
 inline constexpr std::uint64_t kHintWork = 4;
-inline constexpr std::uint64_t kNodeWork = 10;
-// Fewer nodes are walked one by one in less time than a k-d tree of them. Chosen.
-inline constexpr std::size_t kFewItems = 48;
+inline constexpr std::uint64_t kNodeWork = 6;
 // Trees are growing if so many samples have led to at least so many boxes that were empty (a reach
 // times a reach times an eighth of a turn). Chosen: trees in closed rooms fill those within two
 // hundred samples.

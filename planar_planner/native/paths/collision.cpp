@@ -21,9 +21,10 @@ double CollisionHint::gap(const ScaledConfiguration& q) {
   ++calls_;
   t_ = q.t;
   rotation_ = rotation_at(q.theta);
-  if (gap_to_domain() < 0.0 || hits_last_piece()) return kCollides;
+  double least = std::min(gap_to_domain(), gap_to_last_piece());
+  if (least < 0.0) return kCollides;
   place_hull();
-  double least = std::min(gap_to_domain(), gap_to_walls());
+  least = std::min(least, gap_to_walls());
   if (least < 0.0) return kCollides;
   if (tree_.empty()) return least;
   open_.assign(1, tree_.root());
@@ -32,15 +33,21 @@ double CollisionHint::gap(const ScaledConfiguration& q) {
     open_.pop_back();
     ++work_;
     const double to_box = gap_to_box(tree_.node(index));
-    least = std::min(least, std::max(to_box, 0.0));
-    if (to_box > 0.0) continue;
+    if (to_box > 0.0) {
+      least = std::min(least, to_box);
+      continue;
+    }
     if (small_ || !tree_.whole_polygon(index)) tree_.expand(index);
     if (const std::uint32_t left = tree_.node(index).left; left != 0) {
       open_.push_back(left + 1);
       open_.push_back(left);
-    } else if ((index != last_hit_ || tree_.node(index).piece == kNoPiece) && hits_node(index)) {
-      last_hit_ = index;
-      return kCollides;
+    } else if (index != last_hit_ || tree_.node(index).piece == kNoPiece) {
+      const double here = gap_to_node(index);
+      if (here < 0.0) {
+        last_hit_ = index;
+        return kCollides;
+      }
+      least = std::min(least, here);
     }
   }
   return least;
@@ -54,34 +61,34 @@ double CollisionHint::gap_to_box(const TreeNode& node) const {
 
 // The node has no children. A node that was hit before may have been decomposed since; then it is
 // neither a piece nor a whole polygon, and counts as not hit.
-bool CollisionHint::hits_node(const std::uint32_t index) {
+double CollisionHint::gap_to_node(const std::uint32_t index) {
   const std::uint32_t piece = tree_.node(index).piece;
-  if (piece != kNoPiece) return hits_piece(tree_.piece(piece));
+  if (piece != kNoPiece) return gap_to_piece(tree_.piece(piece));
   const auto polygon = tree_.whole_polygon(index);
-  return polygon && hits_edges(*polygon);
+  return polygon ? gap_to_polygon(*polygon) : INFINITY;
 }
 
-bool CollisionHint::hits_edges(const std::uint32_t polygon) {
+double CollisionHint::gap_to_polygon(const std::uint32_t polygon) {
   std::optional<EdgeRuns>& edges = edges_[polygon];
   if (!edges) edges.emplace(all_obstacles(problem_).polygon(polygon), problem_.frame);
   work_ += edges->count();
-  if (edges->any_edge(low_, high_, [&](const Vec2 p, const Vec2 q) { return crosses(p, q); }))
-    return true;
-  // No edge in the robot: each of its pieces lies inside or outside as a whole.
-  const auto inside = [&](const pdg::ConvexPiece& piece) {
+  const double least =
+      edges->gap(low_, high_, [&](const Vec2 p, const Vec2 q) { return crosses(p, q); });
+  if (least < 0.0) return kCollides;
+  // No edge in the robot: each of its polygons lies inside or outside as a whole.
+  const Robot& robot = problem_.robot;
+  for (std::size_t i = 0; i < robot.body_pieces(); ++i) {
+    if (i > 0 && robot.polygon_of_piece[i] == robot.polygon_of_piece[i - 1]) continue;
     work_ += edges->count();
-    return edges->contains(t_ + pdg::rotate(rotation_, piece.inner_centre));
-  };
-  const auto& pieces = problem_.robot.pieces;
-  return std::any_of(pieces.begin(), pieces.end() - 1, inside);
+    if (edges->contains(t_ + pdg::rotate(rotation_, robot.pieces[i].inner_centre)))
+      return kCollides;
+  }
+  return least;
 }
 
 // Does the line from p to q enter a piece of the robot? In the robot's frame.
 bool CollisionHint::crosses(const Vec2 p, const Vec2 q) {
   ++work_;
-  if (std::max(p.x, q.x) <= low_.x || std::min(p.x, q.x) >= high_.x ||
-      std::max(p.y, q.y) <= low_.y || std::min(p.y, q.y) >= high_.y)
-    return false;
   const pdg::Rotation back{rotation_.cos, -rotation_.sin};
   const Vec2 a = pdg::rotate(back, p - t_);
   const Vec2 b = pdg::rotate(back, q - t_);
@@ -135,27 +142,34 @@ double CollisionHint::gap_to_walls() const {
 }
 
 // The piece that blocked the last configuration often blocks this one, so it is asked first.
-bool CollisionHint::hits_last_piece() {
-  if (last_hit_ == kNoPiece) return false;
+double CollisionHint::gap_to_last_piece() {
+  if (last_hit_ == kNoPiece) return INFINITY;
   const std::uint32_t piece = tree_.node(last_hit_).piece;
-  return piece != kNoPiece && hits_piece(tree_.piece(piece));
+  return piece == kNoPiece ? INFINITY : gap_to_piece(tree_.piece(piece));
 }
 
-bool CollisionHint::hits_piece(const pdg::ConvexPiece& obstacle) {
+double CollisionHint::gap_to_piece(const pdg::ConvexPiece& obstacle) {
   const Robot& robot = problem_.robot;
   work_ += robot.body_pieces();
+  double least = INFINITY;
   for (std::size_t i = 0; i < robot.body_pieces(); ++i) {
     const pdg::ConvexPiece& a = robot.pieces[i];
-    const Vec2 apart = t_ + pdg::rotate(rotation_, a.centre) - obstacle.centre;
-    const double reach = a.radius + obstacle.radius;
-    if (dot(apart, apart) >= reach * reach) continue;
+    const double apart = pdg::norm(t_ + pdg::rotate(rotation_, a.centre) - obstacle.centre) -
+                         (a.radius + obstacle.radius);
+    if (apart >= least) continue;
+    if (apart >= 0.0) {
+      least = apart;
+      continue;
+    }
     const Vec2 apart_inside = t_ + pdg::rotate(rotation_, a.inner_centre) - obstacle.inner_centre;
     const double inner_reach = a.inner_radius + obstacle.inner_radius;
-    if (dot(apart_inside, apart_inside) < inner_reach * inner_reach) return true;
+    if (dot(apart_inside, apart_inside) < inner_reach * inner_reach) return kCollides;
     turn(i);
-    if (!separated(i, obstacle)) return true;
+    const double separated = separation(i, obstacle);
+    if (separated < 0.0) return kCollides;
+    least = std::min(least, separated);
   }
-  return false;
+  return least;
 }
 
 void CollisionHint::turn(const std::size_t piece) {
@@ -169,25 +183,27 @@ void CollisionHint::turn(const std::size_t piece) {
   }
 }
 
-bool CollisionHint::separated(const std::size_t piece, const pdg::ConvexPiece& b) {
+// By the first axis that separates them; kCollides if there is none.
+double CollisionHint::separation(const std::size_t piece, const pdg::ConvexPiece& b) {
   const std::vector<pdg::Edge>& edges = problem_.robot.pieces[piece].edges;
   work_ += edges.size() * b.edges.size();
   const std::size_t first = problem_.robot.first_vertex[piece];
   const std::size_t end = first + edges.size();
   for (const pdg::Edge& edge : b.edges) {
     const double least = edge.offset - dot(edge.normal, t_);
-    std::size_t k = first;
-    while (k < end && dot(edge.normal, vertices_[k]) >= least) ++k;
-    if (k == end) return true;
+    double lowest = INFINITY;
+    for (std::size_t k = first; k < end && lowest >= least; ++k)
+      lowest = std::min(lowest, dot(edge.normal, vertices_[k]));
+    if (lowest >= least) return lowest - least;
   }
   for (std::size_t k = first; k < end; ++k) {
     const double least = edges[k - first].offset + dot(normals_[k], t_);
-    const bool apart = std::all_of(b.edges.begin(), b.edges.end(), [&](const pdg::Edge& edge) {
-      return dot(normals_[k], edge.vertex) >= least;
-    });
-    if (apart) return true;
+    double lowest = INFINITY;
+    for (std::size_t i = 0; i < b.edges.size() && lowest >= least; ++i)
+      lowest = std::min(lowest, dot(normals_[k], b.edges[i].vertex));
+    if (lowest >= least) return lowest - least;
   }
-  return false;
+  return kCollides;
 }
 
 }  // namespace planner

@@ -23,9 +23,9 @@ class CollisionHint {
   // Scenes with more obstacle vertices than `small` are large.
   CollisionHint(const ScaledProblem& problem, ObstacleTree& tree, std::size_t small = kSmallScene);
 
-  // How far every point of the robot may move and meet nothing, by bounding boxes: often 0, never
-  // too much. kCollides if the robot overlaps something, or the reference point is out of its
-  // domain.
+  // How far every point of the robot may move and meet nothing, by bounding boxes, circles and the
+  // first axis that separates a pair: never too much. kCollides if the robot overlaps something, or
+  // the reference point is out of its domain.
   double gap(const ScaledConfiguration& q);
 
   // Calls of gap.
@@ -37,14 +37,15 @@ class CollisionHint {
   [[nodiscard]] double gap_to_domain() const;
   [[nodiscard]] double gap_to_walls() const;
   void place_hull();
-  bool hits_last_piece();
-  bool hits_node(std::uint32_t node);
-  bool hits_piece(const pdg::ConvexPiece& obstacle);
-  bool hits_edges(std::uint32_t polygon);
+  // Each of these: kCollides, or how far every point of the robot may move at least.
+  double gap_to_last_piece();
+  double gap_to_node(std::uint32_t node);
+  double gap_to_piece(const pdg::ConvexPiece& obstacle);
+  double gap_to_polygon(std::uint32_t polygon);
+  double separation(std::size_t piece, const pdg::ConvexPiece& obstacle);
   bool crosses(Vec2 p, Vec2 q);
   [[nodiscard]] double gap_to_box(const TreeNode& node) const;
   void turn(std::size_t piece);
-  bool separated(std::size_t piece, const pdg::ConvexPiece& obstacle);
 
   const ScaledProblem& problem_;
   ObstacleTree& tree_;

@@ -16,7 +16,7 @@ inline constexpr std::uint64_t kDiscCells = 4000;
 // as the cells that it may spare cost more then too: the least that cells cost on 61 open scenes
 // and maps was half a microsecond a vertex. Trees that are shut in get the least. In nanoseconds on
 // one machine (guesses/tuning.hpp, kCheckWork).
-inline constexpr std::uint64_t kLeastTryWork = 350'000;
+inline constexpr std::uint64_t kLeastTryWork = 280'000;
 inline constexpr std::uint64_t kTryWork = 500'000;
 inline constexpr std::uint64_t kTryWorkPerVertex = 400;
 

@@ -68,12 +68,6 @@ void ObstacleTree::bound(TreeNode& node) const {
   }
 }
 
-std::optional<std::uint32_t> ObstacleTree::whole_polygon(const std::uint32_t index) const {
-  const TreeNode& node = nodes_[index];
-  if (node.end - node.begin != 1 || items_[node.begin].is_piece) return std::nullopt;
-  return items_[node.begin].id;
-}
-
 const pdg::ConvexPiece* ObstacleTree::hull(const std::uint32_t index) {
   const std::optional<std::uint32_t> polygon = whole_polygon(index);
   if (!polygon) return nullptr;
@@ -87,9 +81,8 @@ const pdg::ConvexPiece* ObstacleTree::hull(const std::uint32_t index) {
   return &*hull;
 }
 
-void ObstacleTree::expand(const std::uint32_t index) {
+void ObstacleTree::expand_new(const std::uint32_t index) {
   const TreeNode& node = nodes_[index];
-  if (node.left != 0 || node.piece != kNoPiece) return;
   if (node.end - node.begin == 1 && !items_[node.begin].is_piece) decompose(index);
   if (nodes_[index].end - nodes_[index].begin > 1)
     halve(index);

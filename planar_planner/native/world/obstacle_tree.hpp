@@ -38,7 +38,11 @@ class ObstacleTree {
   [[nodiscard]] std::uint32_t polygon_of_piece(std::uint32_t i) const { return polygons_[i]; }
   [[nodiscard]] std::size_t piece_count() const { return pieces_.size(); }
   // The one polygon that this node is, not yet decomposed.
-  [[nodiscard]] std::optional<std::uint32_t> whole_polygon(std::uint32_t node) const;
+  [[nodiscard]] std::optional<std::uint32_t> whole_polygon(const std::uint32_t index) const {
+    const TreeNode& node = nodes_[index];
+    if (node.end - node.begin != 1 || items_[node.begin].is_piece) return std::nullopt;
+    return items_[node.begin].id;
+  }
   // The convex hull of that polygon, if it is worth asking before it is decomposed: it holds it, so
   // what is apart from the one is apart from the other. Valid until another hull is asked for.
   const pdg::ConvexPiece* hull(std::uint32_t node);
@@ -46,7 +50,9 @@ class ObstacleTree {
   [[nodiscard]] std::size_t untouched_polygons() const { return untouched_; }
 
   // Gives the node two children or a piece; does nothing if it has them. Invalidates references.
-  void expand(std::uint32_t node);
+  void expand(const std::uint32_t node) {
+    if (nodes_[node].left == 0 && nodes_[node].piece == kNoPiece) expand_new(node);
+  }
   // Everything below the root.
   void expand_all();
 
@@ -59,6 +65,7 @@ class ObstacleTree {
 
   std::uint32_t add_node(std::uint32_t begin, std::uint32_t end);
   void bound(TreeNode& node) const;
+  void expand_new(std::uint32_t node);
   void decompose(std::uint32_t node);
   void halve(std::uint32_t node);
 

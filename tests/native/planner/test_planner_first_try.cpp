@@ -252,28 +252,29 @@ TEST(PlannerFirstTry, StopsWhenTold) {
 
 TEST(PlannerFirstTry, NearestNodesAreThoseOfAWalkOverAll) {
   Random random(11);
-  planner::NearestByPlace places;
-  std::vector<ScaledConfiguration> all;
-  const auto between_poses = [&](const ScaledConfiguration& a, const ScaledConfiguration& b) {
-    const pdg::Vec2 way = a.t - b.t;
-    return dot(way, way) + 0.1 * (a.theta - b.theta) * (a.theta - b.theta);
+  constexpr double kHalf = 0.7;
+  planner::NearestPoint places;
+  std::vector<planner::RoundPoint> all;
+  const auto distance = [&](const planner::RoundPoint& a, const planner::RoundPoint& b) {
+    const pdg::Vec2 way = a.place - b.place;
+    const double turn = std::remainder(a.turn - b.turn, 2.0 * kHalf);
+    return dot(way, way) + turn * turn;
   };
-  const auto pose = [&](const int i) {
+  const auto point = [&](const int i) {
     // Many in a row and in the same place, too.
     const double x = i % 3 == 0 ? 0.25 : worlds::uniform(random, -1.0, 1.0);
-    return ScaledConfiguration{{x, worlds::uniform(random, -1.0, 1.0)},
-                               worlds::uniform(random, -3.0, 3.0)};
+    return planner::RoundPoint{{x, worlds::uniform(random, -1.0, 1.0)},
+                               worlds::uniform(random, -kHalf, kHalf)};
   };
   std::uint64_t passed = 0;
   for (int i = 0; i < 3000; ++i) {
-    all.push_back(i % 10 == 9 ? all.back() : pose(i));
-    places.add(all.back().t);
-    const ScaledConfiguration asked = pose(i + 1);
-    const auto distance = [&](const std::uint32_t k) { return between_poses(all[k], asked); };
-    const std::uint32_t found = places.nearest(asked.t, distance, passed);
+    all.push_back(i % 10 == 9 ? all.back() : point(i));
+    places.add(all.back());
+    const planner::RoundPoint asked = point(i + 1);
+    const std::uint32_t found = places.nearest(asked, kHalf, passed);
     double least = INFINITY;
-    for (std::uint32_t k = 0; k < all.size(); ++k) least = std::min(least, distance(k));
-    ASSERT_EQ(distance(found), least);
+    for (const planner::RoundPoint& other : all) least = std::min(least, distance(other, asked));
+    ASSERT_NEAR(distance(all[found], asked), least, 1e-15);
   }
   EXPECT_LT(passed, 3000U * 3000U / 8U);
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from pathlib import Path
 from typing import Any
 
@@ -68,6 +69,7 @@ def test_statistics_name_everything(
         "3.6 ms (preprocessing 1.0, labelling 2.0, faces 0.5, probe 0.0, search 0.1, path 0.0)",
     ):
         assert part in out
+    assert re.search(r"set-up: \d+\.\d ms \(reading \S+, checking \S+, building \S+\)\n", out)
 
 
 @pytest.mark.parametrize("form", [["--start", "-1,2,0"], ["--start=-1,2,0"], ["--start", "-1,2,0"]])

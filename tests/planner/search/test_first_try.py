@@ -47,6 +47,22 @@ def test_is_short_where_there_is_none() -> None:
     assert 0 < result.stats.probe_checks <= MOST_CHECKS
 
 
+@pytest.mark.parametrize("name", ["gear-jammed", "snowflake-jammed", "maze-blocked"])
+def test_goes_on_beside_the_cells_for_a_small_part_of_their_work(name: str) -> None:
+    scene = load_scene(name)
+    alone = solve(scene, Options(max_cells=1)).stats
+    beside = solve(scene).stats
+    more = beside.probe_checks - alone.probe_checks
+    assert more > 0
+    # In the unit of native/search/tuning.hpp, about a nanosecond; a check takes at least 60.
+    cells = (
+        1300 * beside.labelled_cells
+        + 160 * beside.search_expansions
+        + 70 * beside.separation_evaluations
+    )
+    assert 60 * more <= cells / 16
+
+
 def test_is_the_same_every_time() -> None:
     first, second = (solve(load_scene("fence")) for _ in range(2))
     assert np.array_equal(first.path, second.path)

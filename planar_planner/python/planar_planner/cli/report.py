@@ -80,6 +80,13 @@ def _work_line(stats: Statistics) -> str:
     )
 
 
+def setup_line(reading: float, setup: Mapping[str, float]) -> str:
+    """Return what it took to make a planner; `reading` is the time of reading its file."""
+    seconds = {**setup, "reading": reading + setup["reading"]}
+    parts = ", ".join(f"{name} {1e3 * value:.1f}" for name, value in seconds.items())
+    return f"  set-up: {1e3 * sum(seconds.values()):.1f} ms ({parts})"
+
+
 def _time_line(stats: Statistics) -> str:
     seconds = stats.seconds.to_dict()
     total = seconds.pop("total")

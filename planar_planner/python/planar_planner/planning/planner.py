@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
@@ -77,6 +78,12 @@ class Planner:
         so that there are cells to look at. Slower; answers are proven all the same, but some are
         undecided that are not without it.
 
+    Attributes
+    ----------
+    setup_seconds : dict of str to float
+        Wall-clock times of making the planner: ``reading`` what was given into a scene,
+        ``checking`` it at the gate, and ``building`` the core.
+
     Raises
     ------
     SceneError
@@ -84,10 +91,18 @@ class Planner:
     """
 
     def __init__(self, scene: SceneLike, *, cells_only: bool = False) -> None:
+        began = time.perf_counter()
         self.scene = load_scene(scene)
+        loaded = time.perf_counter()
         self.problem = make_problem(self.scene)
+        checked = time.perf_counter()
         self._without = _SHORT_CUTS if cells_only else ()
         self._core: Core | None = make_core(self.problem, self._without)
+        self.setup_seconds = {
+            "reading": loaded - began,
+            "checking": checked - loaded,
+            "building": time.perf_counter() - checked,
+        }
         self._asked = self.problem  # with the ends of the last query
         self._busy = threading.Lock()
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +15,7 @@ from planar_planner.cli.arguments.shared import VERDICTS, add_command, add_plot
 from planar_planner.cli.arguments.view import add_view, view_of
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
-from planar_planner.cli.report import statistics
+from planar_planner.cli.report import setup_line, statistics
 from planar_planner.cli.terminal import VERDICT_STYLES, styled
 from planar_planner.output_files import check_writable, complain, emit, written_aside
 from planar_planner.planning.result_text import headline
@@ -57,7 +58,9 @@ def run(arguments: argparse.Namespace) -> int:
     for file in (arguments.certificate, arguments.plot):
         if file is not None:
             check_writable(file)
+    began = time.perf_counter()
     scene = scene_of(arguments, arguments.scene, quiet=arguments.quiet)
+    reading = time.perf_counter() - began
     from planar_planner.planning.planner import (
         Planner,  # only now: a misspelt name is answered at once
     )
@@ -71,6 +74,8 @@ def run(arguments: argparse.Namespace) -> int:
     if not output.to_stdout:
         brief = arguments.quiet or arguments.verdict_only
         print_verdict(result, brief=brief, contact_tolerance=options.contact_tolerance)
+        if not brief:
+            emit(setup_line(reading, planner.setup_seconds))
     output.write(result.to_json())
     say_one_sided(result)
     if arguments.certificate is not None:
