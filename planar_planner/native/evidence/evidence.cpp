@@ -55,10 +55,15 @@ bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, const do
     auto proof = edges.prove(from, to);
     if (!proof) return false;
     evidence.segments.push_back(std::move(*proof));
-    append_near_polygons(problem, from, to, evidence.polygons);
   }
-  sort_unique(evidence.polygons);
   return true;
+}
+
+void collect_near_polygons(const ScaledProblem& problem, Evidence& evidence) {
+  for (std::size_t i = 0; i + 1 < evidence.waypoints.size(); ++i)
+    append_near_polygons(problem, scaled(problem, evidence.waypoints[i]),
+                         scaled(problem, evidence.waypoints[i + 1]), evidence.polygons);
+  sort_unique(evidence.polygons);
 }
 
 void collect_polygons(Evidence& evidence) {

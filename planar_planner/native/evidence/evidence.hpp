@@ -57,6 +57,8 @@ bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, double s
 // Obstacle polygons whose bounding box the robot's comes near on the way.
 void append_near_polygons(const ScaledProblem& problem, const ScaledConfiguration& from,
                           const ScaledConfiguration& to, std::vector<std::uint32_t>& out);
+// All of them along the waypoints.
+void collect_near_polygons(const ScaledProblem& problem, Evidence& evidence);
 void sort_unique(std::vector<std::uint32_t>& values);
 // The polygons that the barrier's claims refer to.
 void collect_polygons(Evidence& evidence);

@@ -105,33 +105,38 @@ std::optional<std::vector<ProvenInterval>> SeparatingEdges::prove(const ScaledCo
   from_ = from;
   to_ = to;
   proven_.clear();
-  gathered_.clear();
   const SweptBox swept = swept_box(problem_, from, to);
-  if (!tree_.empty()) gather(tree_.root(), {swept.low, swept.high});
-  const std::vector<std::uint32_t> near = gathered_;
+  Nodes near;
+  if (!tree_.empty()) gather(tree_.root(), {swept.low, swept.high}, false, near);
   if (!prove_part({0.0, 1.0}, near, 0)) return std::nullopt;
   return std::move(proven_);
 }
 
-void SeparatingEdges::gather(const std::uint32_t index, const Box& swept) {
+// Appends what is not apart from the box by its own. Polygons are decomposed if `open` is set;
+// false if one was left as it is.
+bool SeparatingEdges::gather(const std::uint32_t index, const Box& swept, const bool open,
+                             Nodes& out) {
   const TreeNode& node = tree_.node(index);
   const double margin = box_margin(problem_, node.low, node.high);
-  if (!meet(node.low, node.high, swept.low, swept.high, margin)) return;
+  if (!meet(node.low, node.high, swept.low, swept.high, margin)) return true;
+  if (!open && tree_.whole_polygon(index)) {
+    out.push_back(index);
+    return false;
+  }
   tree_.expand(index);
-  if (tree_.node(index).piece != kNoPiece) return gathered_.push_back(tree_.node(index).piece);
+  if (tree_.node(index).piece != kNoPiece) {
+    out.push_back(index);
+    return true;
+  }
   const std::uint32_t left = tree_.node(index).left;
-  gather(left, swept);
-  gather(left + 1, swept);
+  const bool all = gather(left, swept, open, out);
+  return gather(left + 1, swept, open, out) && all;
 }
 
-bool SeparatingEdges::prove_part(const Interval interval, const std::vector<std::uint32_t>& near,
-                                 const int depth) {
-  if (depth > kDeepestPart || proven_.size() >= kMostParts) return false;
-  const double middle = 0.5 * (interval.begin + interval.end);
-  const ScaledConfiguration centre = between(from_, to_, middle);
+SeparatingEdges::Part SeparatingEdges::make_part(const Interval interval) {
   Part part{motion_along(problem_, from_, to_, interval), {}, {}};
   const pdg::Motion& m = part.motion;
-  posed_.turn_to(rotation_at(centre.theta));
+  posed_.turn_to(rotation_at(between(from_, to_, 0.5 * (interval.begin + interval.end)).theta));
   part.whole = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
   for (std::size_t i = 0; i < problem_.robot.body_pieces(); ++i) {
     const pdg::PosedPiece a = posed_.piece(i);
@@ -147,21 +152,28 @@ bool SeparatingEdges::prove_part(const Interval interval, const std::vector<std:
     part.whole.high = {std::max(part.whole.high.x, box.high.x),
                        std::max(part.whole.high.y, box.high.y)};
   }
-  std::vector<std::uint32_t> here;
-  for (const std::uint32_t piece : near) {
-    const pdg::ConvexPiece& b = tree_.piece(piece);
-    const Vec2 half{b.radius, b.radius};
-    const double margin = separation_error(problem_.robot.pieces.back(), b, m);
-    if (meet(part.whole.low, part.whole.high, b.centre - half, b.centre + half, margin))
-      here.push_back(piece);
-  }
-  ProvenInterval proven{interval, {}};
+  return part;
+}
+
+// A polygon whose box comes near on a long part often does so on no short one, so it is decomposed
+// for short parts only.
+bool SeparatingEdges::prove_part(const Interval interval, const Nodes& near, const int depth) {
+  if (depth > kDeepestPart || proven_.size() >= kMostParts) return false;
+  const Part part = make_part(interval);
+  const pdg::Motion& m = part.motion;
+  const double moves = pdg::norm(m.g1) + problem_.robot.reach * m.half_angle;
+  const bool open = moves <= kShortPart * problem_.robot.reach;
+  Nodes here;
+  bool opened = true;
+  for (const std::uint32_t node : near) opened = gather(node, part.whole, open, here) && opened;
+  ProvenInterval proven{interval, {}, {}};
   // The expansion about the middle holds its error bound for small turns only.
-  if (m.half_angle <= pdg::kWidestCoupledTurn && within_walls(part) &&
+  if (opened && m.half_angle <= pdg::kWidestCoupledTurn && within_walls(part) &&
       separate(part, here, proven)) {
     proven_.push_back(std::move(proven));
     return true;
   }
+  const double middle = 0.5 * (interval.begin + interval.end);
   return prove_part({interval.begin, middle}, here, depth + 1) &&
          prove_part({middle, interval.end}, here, depth + 1);
 }
@@ -176,10 +188,10 @@ bool SeparatingEdges::within_walls(const Part& part) {
   return true;
 }
 
-bool SeparatingEdges::separate(const Part& part, const std::vector<std::uint32_t>& near,
-                               ProvenInterval& out) {
+bool SeparatingEdges::separate(const Part& part, const Nodes& near, ProvenInterval& out) {
   const pdg::Motion& m = part.motion;
-  for (const std::uint32_t piece : near) {
+  for (const std::uint32_t node : near) {
+    const std::uint32_t piece = tree_.node(node).piece;
     const pdg::ConvexPiece& b = tree_.piece(piece);
     Box box{b.edges[0].vertex, b.edges[0].vertex};
     for (const pdg::Edge& edge : b.edges) {

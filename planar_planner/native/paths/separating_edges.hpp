@@ -56,9 +56,13 @@ class SeparatingEdges {
   };
   struct Part;
 
-  void gather(std::uint32_t node, const Box& swept);
-  bool prove_part(Interval interval, const std::vector<std::uint32_t>& near, int depth);
-  bool separate(const Part& part, const std::vector<std::uint32_t>& near, ProvenInterval& out);
+  // Nodes of the obstacle tree that are pieces, or polygons that nobody has decomposed yet.
+  using Nodes = std::vector<std::uint32_t>;
+
+  bool gather(std::uint32_t node, const Box& swept, bool open, Nodes& out);
+  bool prove_part(Interval interval, const Nodes& near, int depth);
+  Part make_part(Interval interval);
+  bool separate(const Part& part, const Nodes& near, ProvenInterval& out);
   bool within_walls(const Part& part);
 
   const ScaledProblem& problem_;
@@ -66,7 +70,6 @@ class SeparatingEdges {
   double share_;
   ScaledConfiguration from_, to_;
   PosedRobot posed_;
-  std::vector<std::uint32_t> gathered_;
   std::vector<ProvenInterval> proven_;
 };
 

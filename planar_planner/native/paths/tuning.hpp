@@ -18,6 +18,10 @@ inline constexpr std::size_t kDeepestInterval = 44;
 inline constexpr int kDeepestPart = 50;
 inline constexpr std::size_t kMostParts = 1U << 20U;
 
+// A part is short, and polygons near it are decomposed, if it moves the robot by at most this part
+// of its reach either way from the middle. Chosen.
+inline constexpr double kShortPart = 1.0;
+
 // A path's least clearance is reported to this relative accuracy, unless the number of intervals
 // runs out. Chosen, not tuned: what a user reads it for.
 inline constexpr double kClearanceTolerance = 0.05;

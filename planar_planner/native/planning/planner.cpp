@@ -383,6 +383,7 @@ Evidence Planner::evidence() {
   if (last_.verdict == Verdict::kPath) {
     out.waypoints = last_.waypoints;
     if (collect_segments(problem_, *tree_, last_.share, out)) out.kind = ClaimKind::kPath;
+    collect_near_polygons(problem_, out);
   } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == DecidedBy::kDisc) {
     out = disc_inside_->evidence();
     if (out.kind == ClaimKind::kSeparation) out.kind = ClaimKind::kDisc;

@@ -51,6 +51,8 @@ def load_scene(scene: SceneLike, importing: ImportOptions | None = None) -> Scen
     SceneError
         If there is no such scene, or it is no JSON object with the right fields.
     """
+    if isinstance(scene, Scene) and importing is None:
+        return scene
     options = importing or ImportOptions()
     if isinstance(scene, Scene):
         return _with_ends(scene, options)
@@ -90,9 +92,9 @@ def scene_of_bytes(data: bytes, path: Path, options: ImportOptions) -> Scene:
     kind = registry.format_of(path, data)
     if kind is None:
         content = parse(data, source)
-        if not registry.is_geojson(content):
+        kind = registry.kind_of_json(content)
+        if kind is None:
             return _with_ends(scene_of_json(content, source, path.stem), options)
-        kind = registry.GEOJSON
     return read_scene(kind, path, data, options)
 
 

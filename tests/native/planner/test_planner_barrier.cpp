@@ -205,7 +205,7 @@ TEST(PlannerBarrier, EdgesSeparateTheirPairsAllAlongTheSegment) {
     const planner::ScaledConfiguration to{{from.t.x + any(0.3), from.t.y + any(0.3)},
                                           from.theta + any(1.0)};
     planner::SegmentTest segments(world.problem, world.labeller, world.statistics);
-    planner::SeparatingEdges separating(world.problem, world.tree);
+    planner::SeparatingEdges separating(world.problem, world.tree, 1.0);
     const auto proof = separating.prove(from, to);
     if (segments.certify(from, to)) {
       ASSERT_TRUE(proof) << "certified, but without witnesses";

@@ -226,8 +226,11 @@ TEST(PlannerSmall, LimitsNeverProveAnything) {
   const planner::Listener refuse = [](const planner::Progress&) { return false; };
   EXPECT_NE(planner.solve(start, goal, {}, refuse).verdict, Verdict::kNoPath);
   // What a stopped query left behind serves the next one.
-  EXPECT_EQ(solve(planner, start, goal, {.max_cells = 20}).verdict, Verdict::kUndecided);
-  EXPECT_EQ(solve(planner, start, goal).verdict, Verdict::kPath);
+  planner::Ablation cells_only;
+  cells_only.probe = false;
+  Planner by_cells(scene, cells_only);
+  EXPECT_EQ(solve(by_cells, start, goal, {.max_cells = 20}).verdict, Verdict::kUndecided);
+  EXPECT_EQ(solve(by_cells, start, goal).verdict, Verdict::kPath);
 }
 
 }  // namespace

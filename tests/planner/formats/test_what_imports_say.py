@@ -163,10 +163,13 @@ def test_an_empty_map_names_the_option_that_fills_it() -> None:
         load_scene(FAULTS / "al.yaml", options)
 
 
+ELSEWHERE = ("discopygal scene", "dynobench problem", "Moving AI map")  # test_field_formats
+
+
 def test_every_format_is_tried_here() -> None:
     tried = {name.split(maxsplit=1)[0] for name in (*FEW, *DRAWINGS)} | {"cfg", "dae", "yaml"}
     for kind in FORMATS:
-        if kind.reader and kind.suffixes != (".rob",):
+        if kind.suffixes != (".rob",) and kind.title not in ELSEWHERE:
             assert tried & {suffix.lstrip(".") for suffix in kind.suffixes}, kind.title
 
 

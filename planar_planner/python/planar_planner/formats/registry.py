@@ -49,10 +49,16 @@ TPCAP = Format("parking-competition case", (".csv",), "tpcap", "tpcap")
 WKT = Format("well-known text", (".wkt",), "wkt", "wkt")
 GEOJSON = Format("GeoJSON", (".geojson",), "geojson_features", "geojson")
 SVG = Format("SVG drawing", (".svg",), "svg", "svg")
+DISCOPYGAL = Format("discopygal scene", (), "discopygal")
+DYNOBENCH = Format("dynobench problem", (), "dynobench")
+OCTILE_MAP = Format("Moving AI map", (".map",), "octile_map")
 DXF = Format("DXF drawing", (".dxf",), "dxf", "dxf")
 
 
-FORMATS = (OMPL_APP, COLLADA, ROS_MAP, YAP, YAP_ROBOT, TPCAP, WKT, GEOJSON, SVG, DXF)
+FORMATS = (
+    *(OMPL_APP, COLLADA, ROS_MAP, YAP, YAP_ROBOT, TPCAP, WKT, GEOJSON, SVG, DXF),
+    *(DISCOPYGAL, DYNOBENCH, OCTILE_MAP),
+)
 
 _BY_SUFFIX = {suffix: kind for kind in FORMATS for suffix in kind.suffixes}
 _GEOJSON_TYPES = ("FeatureCollection", "Feature", "GeometryCollection", "Polygon", "MultiPolygon")
@@ -63,6 +69,8 @@ _SNIFFED = (  # marks in the beginnings of files whose names do not determine th
 )
 _WKT_MARKS = (b"POLYGON", b"GEOMETRYCOLLECTION")  # in any case of letters
 _SNIFFED_BYTES = 4096
+_PMPL = (b"Boundary", b"MultiBodies", b"Multibodies")
+_DYNOBENCH = (b"environment:", b"obstacles:")
 _PICTURES = (b"\x89PNG\r\n", b"P5", b"P2", b"BM", b"GIF8", b"\xff\xd8\xff")
 
 
@@ -79,6 +87,15 @@ def kind_of_suffix(path: Path) -> Format | None:
 def format_of(path: Path, data: bytes) -> Format | None:
     """Return the format of a file; None if it is to be read as JSON."""
     known = kind_of_suffix(path)
+    lines = data[:_SNIFFED_BYTES].splitlines()
+    if known is YAP and any(line.lstrip().startswith(_PMPL) for line in lines):
+        raise SceneError(
+            "is a pmpl environment, whose bodies are meshes in space (.g, .obj) that other files "
+            "hold; draw their outlines in the plane, as SVG, DXF or WKT",
+            source=str(path),
+        )
+    if known is ROS_MAP and all(mark in data[:_SNIFFED_BYTES] for mark in _DYNOBENCH):
+        return DYNOBENCH
     if known is not None:
         return known
     if data.startswith(_PICTURES):
@@ -102,6 +119,15 @@ def is_geojson(content: object) -> bool:
         and "format" not in content
         and content.get("type") in _GEOJSON_TYPES
     )
+
+
+def kind_of_json(content: object) -> Format | None:
+    """Return the format of JSON content; None if it is to be read as a scene."""
+    if is_geojson(content):
+        return GEOJSON
+    if isinstance(content, dict) and "format" not in content and "robots" in content:
+        return DISCOPYGAL
+    return None
 
 
 def read_parts(

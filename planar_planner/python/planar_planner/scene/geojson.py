@@ -62,6 +62,17 @@ def iter_polygons(
         yield f"{path}.coordinates", _filled_list(members.get("coordinates"), f"{path}.coordinates")
 
 
+def plain_polygon(geometry: object) -> list[Any] | None:
+    """Return the rings of a Polygon that has nothing but its type and a list of rings, else None.
+
+    Nearly every geometry is one, and `iter_polygons` takes five times as long to say so.
+    """
+    if type(geometry) is not dict or len(geometry) != 2 or geometry.get("type") != "Polygon":
+        return None
+    rings = geometry.get("coordinates")
+    return rings if type(rings) is list and rings else None
+
+
 def _filled_list(value: object, path: str) -> list[object]:
     if not isinstance(value, list):
         raise SceneError("must be a list", path, shown(value))

@@ -5,10 +5,13 @@ Only forms are told apart here; whether a polygon is one is found out by `planar
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import Any, Protocol, TypeAlias
 
 from planar_planner.errors import SceneError, shown
+from planar_planner.scene.collector import collector_paused
 from planar_planner.scene.plain import plain
 
 
@@ -61,6 +64,9 @@ def geometries(value: Geometry | Sequence[Geometry], field: str) -> list[Any]:
     SceneError
         If the value or a part of it is of none of the forms; without a source.
     """
+    flat = polygons_of_shapely(value)
+    if flat is not None:
+        return flat
     found = plain(value, field)
     if isinstance(found, dict):
         return _members(found)
@@ -120,3 +126,31 @@ def _is_ring(found: Any) -> bool:
 
 def _holds(value: object) -> bool:
     return isinstance(value, (list, dict))
+
+
+def polygons_of_shapely(value: object) -> list[dict[str, Any]] | None:
+    """Return the polygons of a list or tuple as GeoJSON, as their ``__geo_interface__`` gives them.
+
+    None if it is something else or holds something else: that is for others to read. Asking each
+    polygon by itself takes ten times as long.
+
+    Parameters
+    ----------
+    value : object
+        Anything.
+    """
+    shapely = sys.modules.get("shapely")  # who has not imported it has no polygons of it
+    if shapely is None or not isinstance(value, (list, tuple)) or not value:
+        return None
+    if set(map(type, value)) != {shapely.Polygon}:
+        return None
+    with collector_paused():
+        _, coords, (ring_starts, polygon_starts) = shapely.to_ragged_array(list(value))
+        if coords.shape[1] != 2:  # of one with a height all would get one
+            return None
+        positions = coords.tolist()
+        rings = [positions[first:end] for first, end in pairwise(ring_starts.tolist())]
+        return [
+            {"type": "Polygon", "coordinates": rings[first:end]}
+            for first, end in pairwise(polygon_starts.tolist())
+        ]

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator, Mapping
+from itertools import chain
 from typing import Any
 
 from planar_planner.errors import SceneError, cut, shown
 from planar_planner.scene.collector import collector_paused
 
 _AS_THEY_ARE = frozenset((float, int, str, bool, type(None)))
+_LISTS = frozenset((list, tuple))
+_LARGEST_NUMBER = 8  # bytes; a long double stays numpy's own
 
 
 def plain(value: object, field: str = "") -> Any:
@@ -42,7 +46,7 @@ def _copied(value: Any) -> Any:
     if type(value) in _AS_THEY_ARE:
         return value
     if isinstance(value, (list, tuple)):
-        return [item if type(item) in _AS_THEY_ARE else _copied(item) for item in value]
+        return _copied_list(value)
     if isinstance(value, Mapping):
         return {_name(name): _copied(item) for name, item in value.items()}
     for kind in (float, int):  # derived types: numpy's float64, enumerations
@@ -51,6 +55,16 @@ def _copied(value: Any) -> Any:
     if isinstance(value, str):
         return str.__str__(value)
     return _converted(value)
+
+
+def _copied_list(value: list[Any] | tuple[Any, ...]) -> list[Any]:
+    """Return a copy of a list; a ring of positions is copied without a loop in Python."""
+    kinds = set(map(type, value))
+    if kinds <= _AS_THEY_ARE:
+        return list(value)
+    if kinds <= _LISTS and set(map(type, chain.from_iterable(value))) <= _AS_THEY_ARE:
+        return list(map(list, value))
+    return [item if type(item) in _AS_THEY_ARE else _copied(item) for item in value]
 
 
 def _name(name: object) -> str:
@@ -65,10 +79,23 @@ def _converted(value: Any) -> Any:
         if hasattr(value, "__geo_interface__"):
             return _copied(value.__geo_interface__)
         if hasattr(value, "tolist"):
-            return _copied(value.tolist())
+            listed = value.tolist()
+            # Numbers of an array of numbers are Python's own already.
+            return listed if _is_numeric(value) else _copied(listed)
         if hasattr(value, "__array__"):
             return _copied(value.__array__().tolist())
     raise SceneError(f"a {type(value).__name__} has no JSON form", "", shown(value))
+
+
+def _is_numeric(value: Any) -> bool:
+    """Whether an object is a numpy array of numbers that `tolist` turns into Python's own."""
+    numpy = sys.modules.get("numpy")
+    return (
+        numpy is not None
+        and type(value) is numpy.ndarray
+        and value.dtype.kind in "iuf"
+        and value.dtype.itemsize <= _LARGEST_NUMBER
+    )
 
 
 def _placed(value: object, field: str) -> SceneError:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from planar_planner.errors import SceneError, shown
 from planar_planner.scene import fields
-from planar_planner.scene.geojson import iter_polygons
+from planar_planner.scene.geojson import iter_polygons, plain_polygon
 from planar_planner.scene.input_limits import MAX_COORDINATE, MIN_COORDINATE
 
 
@@ -73,16 +73,21 @@ def read_polygons(geometries: Iterable[tuple[str, object]]) -> RawPolygons:
     owners: list[int] = []
     polygons: list[list[Any]] = []
     for owner, (path, geometry) in enumerate(geometries):
+        if (rings := plain_polygon(geometry)) is not None:
+            paths.append(f"{path}.coordinates")
+            owners.append(owner)
+            polygons.append(rings)
+            continue
         for polygon_path, polygon in iter_polygons(geometry, path):
             paths.append(polygon_path)
             owners.append(owner)
             polygons.append(polygon)
-    rings: list[Any] = list(chain.from_iterable(polygons))
-    coords = _coordinates(polygons, rings, paths)
+    all_rings: list[Any] = list(chain.from_iterable(polygons))
+    coords = _coordinates(polygons, all_rings, paths)
     raw = RawPolygons(
         coords,
-        _starts(len(ring) for ring in rings),
-        _starts(len(polygon) for polygon in polygons),
+        _starts(map(len, all_rings)),
+        _starts(map(len, polygons)),
         tuple(paths),
         np.array(owners, dtype=np.uint32),
     )

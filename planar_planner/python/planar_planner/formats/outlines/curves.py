@@ -110,6 +110,22 @@ def arc(
     return pieces
 
 
+def whole_ellipse(ellipse: Ellipse, begin: float) -> list[Piece]:
+    """Return an ellipse from an angle on, whose last point is its first."""
+    pieces = arc(ellipse, begin, begin + math.tau, None)
+    return [*pieces[:-1], (*pieces[-1][:-1], pieces[0][0])]
+
+
+def circle(centre: Point, radius: float) -> Outline:
+    """Return a circle."""
+    return Outline(tuple(whole_ellipse(Ellipse(centre, (radius, 0.0), (0.0, radius)), 0.0)))
+
+
+def polygon(ring: Sequence[Point]) -> Outline:
+    """Return a closed polygon."""
+    return Outline(tuple(straight(a, b) for a, b in zip(ring, [*ring[1:], ring[0]], strict=True)))
+
+
 def transformed(piece: Piece, matrix: Affine) -> Piece:
     """Return the image of a piece."""
     a, b, c, d, e, f = matrix

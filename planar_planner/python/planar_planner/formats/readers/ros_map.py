@@ -35,7 +35,7 @@ _EXPONENT = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+$")
 
 def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts:
     """Read a map, or a parameter file with a footprint if there is no image."""
-    content = fields.mapping(_yaml(data), "")
+    content = fields.mapping(yaml_content(data, "reading a ROS map"), "")
     parts = Parts()
     footprint = _footprint(content)
     if footprint is not None:
@@ -175,8 +175,9 @@ class _Placement:
         return [self.point(*p) for p in ring]
 
 
-def _yaml(data: bytes) -> object:
-    yaml: Any = require("yaml", "reading a ROS map", "ros")
+def yaml_content(data: bytes, what: str) -> object:
+    """Return the content of a YAML file of limited size, without aliases; `what` needs it."""
+    yaml: Any = require("yaml", what, "ros")
     if len(data) > _MAX_TEXT:
         raise SceneError(f"is larger than {_MAX_TEXT} bytes")
     text = text_of(data)

@@ -146,14 +146,7 @@ def _circle_of(entity: Any, place: str) -> Ellipse:
 
 
 def _circle(entity: Any, place: str) -> Iterator[Piece]:
-    yield from whole(_circle_of(entity, place), 0.0)
-
-
-def whole(ellipse: Ellipse, begin: float) -> Iterator[Piece]:
-    """Yield an ellipse whose last point is its first."""
-    pieces = curves.arc(ellipse, begin, begin + math.tau, None)
-    yield from pieces[:-1]
-    yield (*pieces[-1][:-1], pieces[0][0])
+    yield from curves.whole_ellipse(_circle_of(entity, place), 0.0)
 
 
 def _circular_arc(entity: Any, place: str) -> Iterator[Piece]:
@@ -161,7 +154,7 @@ def _circular_arc(entity: Any, place: str) -> Iterator[Piece]:
     ellipse = _circle_of(entity, place)
     turn = (end - begin) % 360.0
     if turn == 0:
-        yield from whole(ellipse, math.radians(begin))
+        yield from curves.whole_ellipse(ellipse, math.radians(begin))
     else:
         begin = math.radians(begin % 360.0)
         yield from curves.arc(ellipse, begin, begin + math.radians(turn), None)
@@ -176,7 +169,7 @@ def _elliptical_arc(entity: Any, place: str) -> Iterator[Piece]:
     begin, end = float(entity.dxf.start_param), float(entity.dxf.end_param)
     turn = (end - begin) % math.tau
     if turn < curves.SLACK or math.tau - turn < curves.SLACK:
-        yield from whole(ellipse, begin)
+        yield from curves.whole_ellipse(ellipse, begin)
     else:
         yield from curves.arc(ellipse, begin, begin + turn, None)
 

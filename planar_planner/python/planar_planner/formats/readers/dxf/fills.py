@@ -10,7 +10,7 @@ from typing import Any
 from planar_planner.errors import SceneError
 from planar_planner.formats.outlines import curves
 from planar_planner.formats.outlines.chaining import Joining, closed_outlines
-from planar_planner.formats.outlines.curves import Affine, Ellipse, Outline, Piece
+from planar_planner.formats.outlines.curves import Affine, Ellipse, Outline, Piece, whole_ellipse
 from planar_planner.formats.outlines.figure import Figure
 from planar_planner.formats.outlines.nesting import Nesting, nested_figures
 from planar_planner.formats.outlines.strands import Run, Strand, Traced
@@ -23,7 +23,6 @@ from planar_planner.formats.readers.dxf.entities import (
     spline_pieces,
     through,
     vertices_of,
-    whole,
     xy,
 )
 
@@ -235,6 +234,6 @@ def _arc_edge(edge: Any, kind: str, place: str) -> Iterator[Piece]:
     ellipse = Ellipse(xy(edge.center), u, v)
     turn = (end - begin) % math.tau
     if turn < curves.SLACK or math.tau - turn < curves.SLACK:
-        yield from whole(ellipse, begin)
+        yield from whole_ellipse(ellipse, begin)
     else:
         yield from curves.arc(ellipse, begin, begin + turn, None)
