@@ -41,7 +41,7 @@ void RidgePath::begin(const std::uint64_t budget, const Terminator& stop) {
 Foothold RidgePath::foothold(const CellId id) {
   const Cell& cell = subdivision_.cell(id);
   const double theta = subdivision_.space().fixed_theta;
-  ScaledConfiguration middle = middle_of(id, theta);
+  const ScaledConfiguration middle = middle_of(id, theta);
   if (cell.solid()) return {rounded(middle), INFINITY, false};
   const ConstraintView undecided = subdivision_.undecided(id);
   const auto is_node = [](const PairHeader& pair) { return pair.robot == kNode; };

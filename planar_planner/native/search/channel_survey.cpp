@@ -113,7 +113,7 @@ Survey ChannelSurvey::look(const std::vector<CellId>& channel, const Configurati
     if (whole) append(way, joined.way);
   }
   if (held(channel.back())) {
-    ScaledConfiguration end = scaled(problem_, goal);
+    const ScaledConfiguration end = scaled(problem_, goal);
     ScaledConfiguration from = places_[channel.back()].q;
     if (whole) from = way.back();
     const auto more = link_end(from, end, channel.back());
