@@ -49,7 +49,8 @@ bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, const do
                       Evidence& evidence) {
   evidence.segments.clear();
   SeparatingEdges edges(problem, tree, share);
-  for (std::size_t i = 0; i + 1 < evidence.waypoints.size(); ++i) {
+  const std::size_t end = evidence.waypoints.size() - evidence.exact_after;
+  for (std::size_t i = evidence.exact_before; i + 1 < end; ++i) {
     const ScaledConfiguration from = scaled(problem, evidence.waypoints[i]);
     const ScaledConfiguration to = scaled(problem, evidence.waypoints[i + 1]);
     auto proof = edges.prove(from, to);

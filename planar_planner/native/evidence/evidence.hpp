@@ -37,6 +37,8 @@ struct Evidence {
   ClaimKind kind = ClaimKind::kNone;
   std::vector<Configuration> waypoints;  // kPath: without legs into contact
   std::vector<std::vector<ProvenInterval>> segments;
+  std::size_t exact_before = 0;  // segments at the beginning and the end that are proven exactly,
+  std::size_t exact_after = 0;   // by layer_evidence
   Barrier barrier;
   std::vector<ChainedSet> chain;  // each overlaps the next, the last one the first
   bool at_goal = false;           // kEnd: the goal is not free; else the start
@@ -50,8 +52,8 @@ struct Evidence {
 std::vector<PieceName> robot_names(const Robot& robot);
 std::vector<PieceName> obstacle_names(const ObstacleTree& tree);
 
-// Proves every segment of a certified path again, with its witnesses; false if one resists. `share`
-// is that of SeparatingEdges.
+// Proves every segment of a certified path but the exact ones again, with its witnesses; false if
+// one resists. `share` is that of SeparatingEdges.
 bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, double share,
                       Evidence& evidence);
 // Obstacle polygons whose bounding box the robot's comes near on the way.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace planner {
 
@@ -87,6 +88,34 @@ Evidence path_evidence(const ScaledProblem& problem, const Layer& layer,
   }
   sort_unique(evidence.polygons);
   return evidence;
+}
+
+void add_exact_segments(const Layer& layer, Evidence& evidence) {
+  const std::size_t robots = evidence.robot_names.size();
+  const std::size_t obstacles = evidence.obstacle_names.size();
+  name_pieces(layer, evidence);
+  std::vector<std::int32_t> near;
+  const auto proven = [&](const std::size_t i) {
+    const auto at = [&](const Configuration& q) {
+      return to_lattice(layer.lattice, Vec2{q.x, q.y});
+    };
+    ProvenInterval out =
+        prove(layer, {at(evidence.waypoints[i]), at(evidence.waypoints[i + 1])}, near);
+    const auto rename = [&](auto& pair) {
+      pair.robot = static_cast<std::uint16_t>(pair.robot + robots);
+      pair.obstacle += static_cast<std::uint32_t>(obstacles);
+    };
+    for (SeparatingEdge& edge : out.edges) rename(edge);
+    for (SeparatingLine& line : out.lines) rename(line);
+    return std::vector{std::move(out)};
+  };
+  std::vector<std::vector<ProvenInterval>> segments;
+  for (std::size_t i = 0; i < evidence.exact_before; ++i) segments.push_back(proven(i));
+  for (std::vector<ProvenInterval>& middle : evidence.segments)
+    segments.push_back(std::move(middle));
+  for (std::size_t i = segments.size(); i + 1 < evidence.waypoints.size(); ++i)
+    segments.push_back(proven(i));
+  evidence.segments = std::move(segments);
 }
 
 Evidence chain_evidence(const Layer& layer, const std::vector<ChainLink>& chain) {

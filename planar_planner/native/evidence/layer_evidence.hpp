@@ -12,6 +12,9 @@ namespace planner {
 // separates them.
 Evidence path_evidence(const ScaledProblem& problem, const Layer& layer,
                        const std::vector<Configuration>& waypoints);
+// Adds the exact segments before and after those that `evidence` has, and the layer's pieces to its
+// names; its waypoints are those of the whole path.
+void add_exact_segments(const Layer& layer, Evidence& evidence);
 Evidence chain_evidence(const Layer& layer, const std::vector<ChainLink>& chain);
 
 }  // namespace planner

@@ -15,8 +15,8 @@
 namespace planner {
 
 // Seed of the random numbers: of 300 seeds the one with which the first try solves each of eleven
-// shipped scenes within its first limit; those scenes are small, and each is a matter of luck. On 42
-// open scenes and maps the seeds differ little: half of them are within 8 % of the median in the
+// shipped scenes within its first limit; those scenes are small, and each is a matter of luck. On
+// 42 open scenes and maps the seeds differ little: half of them are within 8 % of the median in the
 // geometric mean of the work, all within 45 %, and this one takes 18 % more.
 inline constexpr std::uint64_t kSeed = 145;
 

@@ -119,6 +119,7 @@ std::optional<Lattice> lattice_of(const Problem& problem, const LayerQuery& quer
   append(values, problem.reference_bounds);
   append(values, query.start);
   append(values, query.goal);
+  values.push_back(query.finest);
   return common_lattice(values);
 }
 

@@ -40,7 +40,8 @@ struct Layer {
 // Quarter turns of the robot: theta = quarters * pi / 2.
 struct LayerQuery {
   int quarters = 0;
-  Vec2 start, goal;  // the reference point, user's units
+  Vec2 start, goal;     // the reference point, user's units
+  double finest = 0.0;  // a length that the lattice has to hold besides; user's units
 };
 
 // Limits on the size of a layer, by count.

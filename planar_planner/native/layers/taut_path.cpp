@@ -1,6 +1,7 @@
 #include "taut_path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -15,6 +16,9 @@ namespace planner {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+constexpr std::array<LatticePoint, 8> kCompass = {
+    {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
 double distance(const LatticePoint a, const LatticePoint b) {
   return std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y));
@@ -112,7 +116,8 @@ class Buckets {
   std::vector<std::vector<std::size_t>> buckets_;
 };
 
-// A* from corner 0 to corner 1 along segments between each corner and its nearest ones.
+// A* from corner 0 along segments between each corner and its nearest ones: to corner 1, or without
+// an aim to the first corner that `arrives` accepts.
 class Search {
  public:
   Search(const Layer& layer, const std::vector<LatticePoint>& corners, const Buckets& buckets)
@@ -120,6 +125,11 @@ class Search {
 
   // Empty: no way with so many neighbours, or too much work.
   std::vector<std::size_t> find(const std::size_t neighbours) {
+    return find(neighbours, [](const std::size_t corner) { return corner == 1; }, true);
+  }
+
+  std::vector<std::size_t> find(const std::size_t neighbours,
+                                const std::function<bool(std::size_t)>& arrives, const bool aimed) {
     std::vector<double> cost(corners_.size(), std::numeric_limits<double>::infinity());
     std::vector<std::size_t> before(corners_.size(), kNone);
     std::vector<bool> closed(corners_.size(), false);
@@ -132,15 +142,15 @@ class Search {
       open.pop();
       if (closed[here]) continue;
       closed[here] = true;
-      if (here == 1) return way_to(before);
+      if (arrives(here)) return way_to(before, here);
       std::vector<std::size_t> nearest = buckets_.nearest(here, neighbours);
-      nearest.push_back(1);
+      if (aimed) nearest.push_back(1);
       for (const std::size_t next : nearest) {
         const double through = cost[here] + distance(corners_[here], corners_[next]);
         if (closed[next] || through >= cost[next] || !sees(here, next)) continue;
         cost[next] = through;
         before[next] = here;
-        open.emplace(through + distance(corners_[next], corners_[1]), next);
+        open.emplace(through + (aimed ? distance(corners_[next], corners_[1]) : 0.0), next);
       }
     }
     return {};
@@ -154,9 +164,10 @@ class Search {
   }
 
  private:
-  static std::vector<std::size_t> way_to(const std::vector<std::size_t>& before) {
+  static std::vector<std::size_t> way_to(const std::vector<std::size_t>& before,
+                                         const std::size_t end) {
     std::vector<std::size_t> way;
-    for (std::size_t at = 1; at != kNone; at = before[at]) way.push_back(at);
+    for (std::size_t at = end; at != kNone; at = before[at]) way.push_back(at);
     std::reverse(way.begin(), way.end());
     return way;
   }
@@ -199,6 +210,37 @@ std::optional<std::vector<LatticePoint>> find_taut_path(const Layer& layer) {
     }
     if (search.exhausted() || neighbours >= corners.size()) return std::nullopt;
   }
+}
+
+std::optional<std::vector<LatticePoint>> find_way_out(const Layer& layer,
+                                                      const std::span<const Int64> lengths,
+                                                      const OpenTest& is_open) {
+  const std::vector<LatticePoint> corners = corners_of(layer);
+  const Buckets buckets(corners);
+  Search search(layer, corners, buckets);
+  std::vector<std::int32_t> scratch;
+  LatticePoint open;
+  std::size_t tried = 0;
+  const auto leads_out = [&](const LatticePoint from, const LatticePoint to) {
+    if (!contains(layer.domain, to) || !is_free(layer, from, to, scratch) || !is_open(to))
+      return false;
+    open = to;
+    return true;
+  };
+  const auto arrives = [&](const std::size_t corner) {
+    if (++tried > kWayOutCorners) return false;
+    const LatticePoint p = corners[corner];
+    for (const Int64 by : lengths)
+      for (const LatticePoint way : kCompass)
+        if (leads_out(p, {p.x + by * way.x, p.y + by * way.y})) return true;
+    return false;
+  };
+  const std::vector<std::size_t> way = search.find(kNearestCorners, arrives, false);
+  if (way.empty()) return std::nullopt;
+  std::vector<LatticePoint> path;
+  for (const std::size_t k : way) path.push_back(corners[k]);
+  path.push_back(open);
+  return path;
 }
 
 }  // namespace planner

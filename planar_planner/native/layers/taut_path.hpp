@@ -4,7 +4,9 @@
 // ways along free vertices are complete, points of contact and slits of no width included.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "layer.hpp"
@@ -14,5 +16,13 @@ namespace planner {
 // Start, corners, goal: lattice points whose coordinates are doubles, joined by free segments.
 // Empty: none was found, because a corner that is needed is no double or the work got too much.
 std::optional<std::vector<LatticePoint>> find_taut_path(const Layer& layer);
+
+// A way from the start to a place that `is_open` accepts, one of `lengths` away from the last
+// corner in one of eight directions; of the nearer corners first. Empty: none was found near the
+// start.
+using OpenTest = std::function<bool(LatticePoint)>;
+std::optional<std::vector<LatticePoint>> find_way_out(const Layer& layer,
+                                                      std::span<const Int64> lengths,
+                                                      const OpenTest& is_open);
 
 }  // namespace planner

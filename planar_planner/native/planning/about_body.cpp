@@ -47,8 +47,9 @@ std::optional<Answer> Planner::solve_about_body(const Configuration& start,
   Query query(
       start, goal, nullptr, limits, [&] { return watch.elapsed(); },
       [&](const Usage& usage, const auto& progress) { return watch.check(usage, progress); });
-  if (ends_settle_it(query, start, goal) || query.in_contact) {
+  if (ends_settle_it(query, start, goal) || query.in_contact || !query.legs.empty()) {
     layer_.reset();
+    legs_layer_.reset();
     return std::nullopt;
   }
   Planner& body = *about_body_;

@@ -56,6 +56,7 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
                       const Listener& listener) {
   by_body_ = false;
   layer_.reset();
+  legs_layer_.reset();
   const auto* const place = std::get_if<Configuration>(&goal);
   if (about_body_ && place != nullptr)
     if (auto answer = solve_about_body(start, *place, limits, listener)) return std::move(*answer);
@@ -78,6 +79,7 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
     subdivide(query, first_try ? &*first_try : nullptr);
   if (query.answer.stop_reason == StopReason::kResolution) settle_resolution(query, start, goal);
   confirm_absence(query, start, goal);
+  add_exact_legs(query);
   remember(query, start, goal);
   settle_lifted_ends(query, start, goal);
   complete_answer(query);
@@ -89,7 +91,7 @@ Answer Planner::solve_certified(const Configuration& start, const Goal& goal, co
   Answer answer = solve(start, goal, limits, listener);
   if (answer.verdict != Verdict::kPath || layer_) return answer;
   Evidence evidence;
-  evidence.waypoints = last_.waypoints;
+  begin_path(evidence);
   for (const double share : {1.0, kClosestShare}) {
     last_.share = share;
     answer.to_be_checked = share < 1.0;
@@ -97,7 +99,7 @@ Answer Planner::solve_certified(const Configuration& start, const Goal& goal, co
   }
   answer.to_be_checked = false;
   if (exact_instead(answer, start, goal)) return answer;
-  last_ = {Verdict::kUndecided, std::nullopt, start, goal, {}, 1.0};
+  last_ = {Verdict::kUndecided, std::nullopt, start, goal, {}, 1.0, 0, 0};
   answer.verdict = Verdict::kUndecided;
   answer.stop_reason = StopReason::kNoEvidence;
   answer.ends_moved = false;
@@ -131,40 +133,6 @@ bool Planner::small_subdivision(Query& query, const Configuration& start, const 
   return layer_answer(query, start, goal);
 }
 
-// The cells tell no more, since what is left touches. A way on which the robot does not turn may.
-void Planner::settle_resolution(Query& query, const Configuration& start, const Goal& goal) {
-  if (layer_answer(query, start, goal)) return;
-  if (query.in_contact) query.leave_undecided(*query.in_contact);
-}
-
-// The exact decision is about the user's own ends.
-bool Planner::layer_answer(Query& query, const Configuration& start, const Goal& goal) {
-  const auto* const own = std::get_if<Configuration>(&goal);
-  if (!problem_.ablation.layers || own == nullptr || query.lifted) return false;
-  layer_ = decide_in_layer(problem_, start, *own);
-  if (!layer_) return false;
-  if (layer_->chain.empty()) return conclude_path(query, layer_->waypoints, DecidedBy::kTautPath);
-  query.decide(Verdict::kNoPath, DecidedBy::kOddChain);
-  return true;
-}
-
-// A path in place of one whose evidence cannot be written: exactly, without turning.
-bool Planner::exact_instead(Answer& answer, const Configuration& start, const Goal& goal) {
-  const auto* const own = std::get_if<Configuration>(&goal);
-  if (own == nullptr || answer.ends_moved || !problem_.ablation.layers) return false;
-  layer_ = decide_in_layer(problem_, start, *own);
-  if (!layer_ || !layer_->chain.empty()) {
-    layer_.reset();
-    return false;
-  }
-  answer.path = report_path(layer_->waypoints);
-  answer.statistics.decided_by = DecidedBy::kTautPath;
-  answer.statistics.path_length = answer.path.length;
-  answer.statistics.path_turning = answer.path.turning;
-  answer.statistics.waypoints = answer.path.waypoints.size();
-  return true;
-}
-
 // A colliding end has no path; one in contact is moved off by the contact tolerance, if it allows.
 bool Planner::ends_settle_it(Query& query, const Configuration& start, const Goal& goal) {
   for (Configuration* const end : {&query.start, &query.goal}) {
@@ -174,6 +142,8 @@ bool Planner::ends_settle_it(Query& query, const Configuration& start, const Goa
     if (p.state == PlacementState::kFree) continue;
     // Rounded arithmetic tells no more of an end in contact; exact arithmetic may.
     if (p.state == PlacementState::kContact && layer_answer(query, start, goal)) return true;
+    if (p.state == PlacementState::kContact && leave_contact(query, start, goal, at_start))
+      continue;
     if (p.state != PlacementState::kOutside && p.depth <= query.limits.contact_tolerance &&
         query.limits.contact_tolerance > 0.0) {
       if (const auto moved = lift_off(problem_, *segments_, *end, query.limits.contact_tolerance)) {
@@ -345,6 +315,7 @@ void Planner::settle_lifted_ends(Query& query, const Configuration& start, const
   if (!same(query.start, start)) path.insert(path.begin(), start);
   if (const auto* const own = std::get_if<Configuration>(&goal); own && !same(query.goal, *own))
     path.push_back({own->x, own->y, path.back().theta});
+  query.answer.path = report_path(std::move(path));
   query.answer.ends_moved = true;
 }
 
@@ -371,7 +342,14 @@ void Planner::complete_answer(Query& query) {
 
 void Planner::remember(const Query& query, const Configuration& start, const Goal& goal) {
   const Answer& answer = query.answer;
-  last_ = {answer.verdict, answer.statistics.decided_by, start, goal, answer.path.waypoints, 1.0};
+  last_ = {answer.verdict,
+           answer.statistics.decided_by,
+           start,
+           goal,
+           answer.path.waypoints,
+           1.0,
+           query.legs.before.size(),
+           query.legs.after.size()};
 }
 
 Evidence Planner::evidence() {
@@ -381,7 +359,7 @@ Evidence Planner::evidence() {
   if (by_body_ && last_.verdict == Verdict::kNoPath) return about_body_->evidence();
   Evidence out;
   if (last_.verdict == Verdict::kPath) {
-    out.waypoints = last_.waypoints;
+    begin_path(out);
     if (collect_segments(problem_, *tree_, last_.share, out)) out.kind = ClaimKind::kPath;
     collect_near_polygons(problem_, out);
   } else if (last_.verdict == Verdict::kNoPath && last_.decided_by == DecidedBy::kDisc) {
@@ -402,6 +380,7 @@ Evidence Planner::evidence() {
   }
   out.robot_names = robot_names(problem_.robot);
   out.obstacle_names = obstacle_names(*tree_);
+  if (out.kind == ClaimKind::kPath && legs_layer_) add_exact_segments(*legs_layer_, out);
   collect_polygons(out);
   return out;
 }

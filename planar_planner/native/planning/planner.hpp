@@ -72,6 +72,9 @@ class Planner {
   bool take_over(Query& query, const Configuration& start, const Configuration& goal);
   bool retrace(Query& query);
 
+  bool leave_contact(Query& query, const Configuration& start, const Goal& goal, bool at_start);
+  void add_exact_legs(Query& query) const;
+  void begin_path(Evidence& evidence) const;
   bool exact_instead(Answer& answer, const Configuration& start, const Goal& goal);
   bool ends_settle_it(Query& query, const Configuration& start, const Goal& goal);
   bool guess(Query& query, CollisionHint& hint, const Goal& goal, const Listener& listener,
@@ -104,6 +107,7 @@ class Planner {
     Goal goal;
     std::vector<Configuration> waypoints;
     double share = 1.0;  // of the rounding's bound, that its evidence keeps off
+    std::size_t exact_before = 0, exact_after = 0;  // waypoints of its exact legs
   };
 
   ScaledProblem problem_;
@@ -115,6 +119,7 @@ class Planner {
   std::unique_ptr<SegmentTest> segments_;
   std::unique_ptr<Subdivision> subdivision_;
   std::unique_ptr<FaceTest> faces_;
+  std::optional<Layer> legs_layer_;     // that holds the last query's exact legs
   std::optional<LayerDecision> layer_;  // of the last query, if that was decided exactly
   std::unique_ptr<Planner> disc_round_, disc_inside_;
   bool disc_prepared_ = false;

@@ -28,6 +28,10 @@ inline constexpr std::array<double, 7> kGlances = {0.5, 0.25, 0.75, 0.125, 0.375
 // that may not turn take fewer.
 inline constexpr std::uint64_t kCellsBeforeLayer = 2000;
 
+// How long the last leg of a way out of contact may be: the robot's reach, rounded down to a power
+// of two, times 2^-k. Chosen.
+inline constexpr std::array<int, 4> kWayOutLevels = {1, 4, 7, 10};
+
 // Evidence may come so near to touching, as a part of the bound of rounding, if it is then checked
 // exactly. The rounding itself is far less than its bound. Chosen.
 inline constexpr double kClosestShare = 0.25;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "planar_planner/native/configurations/goal_region.hpp"
 #include "planar_planner/native/limits.hpp"
@@ -25,6 +26,14 @@ struct Answer {
   Statistics statistics;
 };
 
+// Translations at angle 0 that lead from the user's start to the one that is planned from, and from
+// the goal that is planned to on to the user's. Each list has the way's waypoints with both its
+// ends.
+struct ExactLegs {
+  std::vector<Configuration> before, after;
+  [[nodiscard]] bool empty() const { return before.empty() && after.empty(); }
+};
+
 struct Query {
   Configuration start;
   Configuration goal;                  // with a region: the one that the search tries for now
@@ -34,6 +43,7 @@ struct Query {
   LimitCheck check;  // whether a limit is reached, or the listener has had enough
   Answer answer;
   std::optional<StopReason> stopped_by;  // a limit that was reached, or the listener
+  ExactLegs legs;                        // of ends in contact, without rounding
   bool lifted = false;                   // an end in contact was moved off
   std::optional<StopReason> in_contact;  // of an end that was not: a path cannot be certified
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import pytest
@@ -15,19 +16,24 @@ def rectangle(x0: float, y0: float, x1: float, y1: float) -> dict[str, Any]:
     return {"type": "Polygon", "coordinates": [ring]}
 
 
-def room(door: float, turn: float = 0.25) -> dict[str, Any]:
+TILT = 0.25
+
+
+def room(door: float, tilt: float = TILT, turn: float = 0.0) -> dict[str, Any]:
     """Return a room whose square robot rests on a floor; the wall may leave a door.
 
-    A robot that has to turn on its way is not decided by exact translations.
+    It rests on a corner if it is tilted: up to rounding, so that no exact translation is known to
+    be free. The goal is turned on by an angle.
     """
+    height = 0.25 + 0.5 * (math.sin(tilt) + math.cos(tilt))
     return {
         "format": "planar-planner/scene",
         "version": 1,
         "workspace": {"box": [0, 0, 10, 4]},
         "robot": rectangle(-0.5, -0.5, 0.5, 0.5),
         "obstacles": [rectangle(5, 0, 6, 4 - door), rectangle(0, -1, 10, 0.25)],
-        "start": [2, 0.75, 0],
-        "goal": [8, 2, turn],
+        "start": [2, height, tilt],
+        "goal": [8, 2, tilt + turn],
     }
 
 
@@ -42,7 +48,35 @@ def test_without_a_tolerance_no_path_is_certified_but_its_absence_is() -> None:
 
 @pytest.mark.parametrize("rotation", [True, False])
 def test_a_resting_robot_that_need_not_turn_gets_away_exactly(rotation: bool) -> None:
-    scene = load_scene({**room(1.5, turn=0.0), "rotation": rotation})
+    scene = load_scene({**room(1.5, tilt=0.0), "rotation": rotation})
+    result = solve(scene, certificate=True)
+    assert result.verdict == "path"
+    assert result.certificate is not None
+    verify_certificate(scene, result.certificate)
+
+
+@pytest.mark.parametrize("end", ["start", "goal"])
+@pytest.mark.parametrize("turn", [0.5, 2.0, 3.0, 6.0])
+def test_a_resting_robot_that_has_to_turn_leaves_the_floor_exactly(end: str, turn: float) -> None:
+    content = room(1.5, tilt=0.0, turn=turn)
+    if end == "goal":
+        content["start"], content["goal"] = content["goal"], content["start"]
+    scene = load_scene(content)
+    result = solve(scene, certificate=True)
+    assert result.verdict == "path"
+    assert result.certificate is not None
+    assert result.certificate["contact_tolerance"] == 0.0
+    verify_certificate(scene, result.certificate)
+
+
+def test_a_bar_leaves_its_rest_turns_and_rests_again() -> None:
+    """Both legs are exact; between them the bar turns by half a turn."""
+    content = room(1.5, tilt=0.0)
+    content["robot"] = rectangle(-0.25, -0.5, 1.25, 0.5)
+    content["goal"] = [8, 0.75, 0.0]
+    content["obstacles"] = [rectangle(0, -1, 10, 0.25), rectangle(4, 2.75, 5, 4)]
+    content["obstacles"].append(rectangle(4, 0, 5, 1.0))
+    scene = load_scene(content)
     result = solve(scene, certificate=True)
     assert result.verdict == "path"
     assert result.certificate is not None

@@ -104,13 +104,14 @@ def _owner(edge: NamedEdge) -> str:
 
 
 def _path(problem: Problem, evidence: NamedEvidence, contact_tolerance: float) -> Certificate:
-    *others, last = evidence.waypoints
-    waypoints = [[*waypoint, 0] for waypoint in others]  # no turns
+    first = len(evidence.waypoints) - 1 - evidence.exact_after  # of those at the goal's angle
+    last = evidence.waypoints[-1]
+    waypoints = [[*waypoint, 0] for waypoint in evidence.waypoints[:first]]  # no turns
     ends = [(evidence.waypoints[0], problem.start)]
     if isinstance(problem.goal, GoalSet):
         waypoints.append(_turned_into(last, problem.goal, problem.rotation))
     else:
-        waypoints.append(_turned_goal(last, problem.goal))
+        waypoints += [_turned_goal(each, problem.goal) for each in evidence.waypoints[first:]]
         ends.append((last, problem.goal))
     moved = any((at[0], at[1]) != (end[0], end[1]) for at, end in ends)
     return {
