@@ -32,7 +32,8 @@ inline constexpr double kInnerReachUnits = 8.0 * PDG_MARGIN_SCALE;
 // largest |a|; edges' offsets 6 u; and the sums that widen the domain by it.
 inline constexpr double kHullDistanceUnits = 16.0 * PDG_MARGIN_SCALE;
 
-// By how much the domain is grown on every side, in units of u times the planner's unit of length:
+// By how much the domain is grown on every side, in units of u times the planner's unit of length
+// or its farthest coordinate, if that is more:
 // rounding of the bounds (1), of corner and size (5).
 inline constexpr double kDomainUnits = 8.0 * PDG_MARGIN_SCALE;
 

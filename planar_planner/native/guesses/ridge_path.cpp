@@ -41,7 +41,7 @@ void RidgePath::begin(const std::uint64_t budget, const Terminator& stop) {
 Foothold RidgePath::foothold(const CellId id) {
   const Cell& cell = subdivision_.cell(id);
   const double theta = subdivision_.space().fixed_theta;
-  ScaledConfiguration middle = middle_of(id, theta);
+  const ScaledConfiguration middle = middle_of(id, theta);
   if (cell.solid()) return {rounded(middle), INFINITY, false};
   const ConstraintView undecided = subdivision_.undecided(id);
   const auto is_node = [](const PairHeader& pair) { return pair.robot == kNode; };
@@ -50,8 +50,30 @@ Foothold RidgePath::foothold(const CellId id) {
   scope_.clear();
   climb_.add_axes(undecided, scope_);
   RidgeClimb::sort_axes(scope_);
-  const Height top = climb_.climb(middle, cell.size * problem_.robot.reach, scope_);
+  const double radius = cell.size * problem_.robot.reach;
+  Height top = climb_.climb(middle, radius, scope_);
+  if (problem_.rotation && !(top.clearance > 0.0)) top = crest(top, radius, cell.size);
   return {rounded(top.q), top.clearance, false};
+}
+
+// Where nothing opposes turning, the clearance has a smooth crest in theta, which linear steps do
+// not see: it is found as the top of a parabola through the climbs from three angles.
+Height RidgePath::crest(Height top, const double radius, double half_angle) {
+  for (int i = 0; i < kCrestSteps; ++i, half_angle *= kNarrowerCrest) {
+    const auto climbed = [&](const double by) {
+      return climb_.climb({top.q.t, top.q.theta + by}, radius, scope_);
+    };
+    const Height below = climbed(-half_angle);
+    const Height above = climbed(half_angle);
+    const double bend = below.clearance - 2.0 * top.clearance + above.clearance;
+    if (!(bend < 0.0)) return top;
+    const double by = 0.5 * half_angle * (below.clearance - above.clearance) / bend;
+    if (std::abs(by) > 2.0 * half_angle) return top;
+    const Height there = climbed(by);
+    for (const Height& other : {below, above, there})
+      if (other.clearance > top.clearance) top = other;
+  }
+  return top;
 }
 
 bool RidgePath::join(const ScaledConfiguration& from, const ScaledConfiguration& to,

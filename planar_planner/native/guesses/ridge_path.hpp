@@ -62,6 +62,7 @@ class RidgePath {
   };
 
   bool find_footholds(const std::vector<CellId>& channel);
+  Height crest(Height top, double radius, double half_angle);
   [[nodiscard]] ScaledConfiguration middle_of(CellId id, double near) const;
   void list_gaps();
   void look_between(const std::vector<CellId>& channel, const Step& from, const Step& to);

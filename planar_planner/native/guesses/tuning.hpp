@@ -74,6 +74,11 @@ inline constexpr double kGood = 0.5;
 // Terms that one step may take in or let go (max_min): a hint needs no more. Chosen, not tuned.
 inline constexpr int kExchanges = 40;
 
+// Parabolas in theta on the way to a smooth crest, each so much narrower than the last: what is
+// left of the angle is of the third order in the width. Chosen, not tuned.
+inline constexpr int kCrestSteps = 3;
+inline constexpr double kNarrowerCrest = 0.125;
+
 // --- A path of climbs (ridge_path) ---
 // How often a gap may be halved. Two suffice to enter a gate and to leave it; where more are needed
 // the channel is still too coarse.

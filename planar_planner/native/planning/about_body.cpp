@@ -22,11 +22,15 @@ bool touches_end(const std::optional<StopReason> reason) {
 }  // namespace
 
 void Planner::prepare_about_body(const Ablation& ablation) {
-  if (!ablation.shift || !problem_.rotation || problem_.given.reference_bounds) return;
+  const bool in_workspace = problem_.given.box || problem_.given.workspace;
+  if (!ablation.shift || !problem_.rotation || !in_workspace) return;
   const auto point = body_point(problem_.given.robot);
   if (!point) return;
   Problem shifted = problem_.given;
   shifted.robot = about_point(shifted.robot, *point);
+  // Bounds of the robot's own origin are left out: an absence without them is one with them, and a
+  // path has to keep within them.
+  shifted.reference_bounds.reset();
   Ablation once = ablation;
   once.shift = false;
   once.layers = false;  // they are as good in the robot's own frame
@@ -103,6 +107,9 @@ bool Planner::retrace(Query& query) {
   auto path = reference_path(body.problem_, *body.segments_, point_, query.answer.path.waypoints,
                              query.start, query.goal, stop);
   if (!path) return false;
+  // The bounds are convex: between two waypoints in them all places are.
+  const auto out = [&](const Configuration& q) { return outside_bounds(problem_, q) > 0.0; };
+  if (std::any_of(path->begin(), path->end(), out)) return false;
   query.answer.path = report_path(std::move(*path));
   return true;
 }

@@ -4,6 +4,12 @@
 
 namespace planner {
 
+// Ways of joins have one configuration mostly; a hash table has a pointer and a bucket for each.
+std::size_t ChannelSurvey::bytes() const {
+  return places_.capacity() * sizeof(Place) +
+         joins_.size() * (sizeof(Join) + sizeof(ScaledConfiguration) + 3 * sizeof(void*));
+}
+
 void ChannelSurvey::forget(const CellId cell) {
   if (cell >= places_.size()) return;
   const std::uint32_t version = places_[cell].version + 1;
@@ -107,7 +113,7 @@ Survey ChannelSurvey::look(const std::vector<CellId>& channel, const Configurati
     if (whole) append(way, joined.way);
   }
   if (held(channel.back())) {
-    ScaledConfiguration end = scaled(problem_, goal);
+    const ScaledConfiguration end = scaled(problem_, goal);
     ScaledConfiguration from = places_[channel.back()].q;
     if (whole) from = way.back();
     const auto more = link_end(from, end, channel.back());

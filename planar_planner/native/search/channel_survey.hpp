@@ -4,6 +4,7 @@
 // kept from one channel to the next. It proves nothing but the segments.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <utility>
@@ -35,6 +36,8 @@ class ChannelSurvey {
 
   // Joins solid neighbours by a configuration that both see; false if that is not certified.
   bool join_by(CellId from, CellId to, const Connector& connector, const Terminator& stop);
+
+  [[nodiscard]] std::size_t bytes() const;
 
   // A leaf was halved: nothing that was known of it is known of the half that keeps its name.
   void forget(CellId cell);

@@ -356,8 +356,8 @@ void Search::conclude_path(std::vector<Configuration> path, const DecidedBy by) 
 bool Search::stop() {
   if (query_.stopped_by) return true;
   statistics_.constraint_bytes = subdivision_.constraint_bytes();
-  statistics_.memory_bytes =
-      subdivision_.bytes() + channels_.bytes() + (first_try_ == nullptr ? 0 : first_try_->bytes());
+  statistics_.memory_bytes = subdivision_.bytes() + channels_.bytes() + survey_.bytes() +
+                             (first_try_ == nullptr ? 0 : first_try_->bytes());
   query_.stopped_by =
       query_.check({subdivision_.size(), statistics_.memory_bytes}, [this] { return progress(); });
   if (query_.stopped_by) query_.leave_undecided(*query_.stopped_by);

@@ -49,7 +49,10 @@ Rectangle reachable(const Rectangle& box, const Robot& robot) {
 
 Domain make_domain(const Rectangle& box) {
   Domain domain;
-  constexpr double slack = kDomainUnits * pdg::kUnitRoundoff;
+  // Bounds of a reference point that is far from the body lie far outside the unit square.
+  const double farthest = std::max(
+      {1.0, std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+  const double slack = kDomainUnits * pdg::kUnitRoundoff * farthest;
   domain.low = {box.low.x - slack, box.low.y - slack};
   domain.size = {box.high.x - box.low.x + 2 * slack, box.high.y - box.low.y + 2 * slack};
   const double x = std::max(std::abs(box.low.x), std::abs(box.high.x));

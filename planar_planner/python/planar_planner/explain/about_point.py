@@ -54,11 +54,17 @@ def path_of_point(path: NDArray[np.float64], point: Point) -> NDArray[np.float64
     return out
 
 
+def path_label(point: Point) -> str:
+    """Return what a drawn path is of."""
+    whose = "the reference point" if point == (0.0, 0.0) else "a point of the body"
+    return f"path of {whose}"
+
+
 def about_point(problem: Problem, point: Point) -> Problem:
     """Return a problem about a point of the robot, rounded; for pictures.
 
-    Its robot's frame has its origin at the point, and its ends are where the point is. A region and
-    reference bounds are of the reference point, so they are left as they are.
+    Its robot's frame has its origin at the point, and its ends are where the point is. Bounds of
+    the reference point are left out.
     """
     if point == (0.0, 0.0):
         return problem
@@ -67,6 +73,7 @@ def about_point(problem: Problem, point: Point) -> Problem:
         problem,
         robot=replace(problem.robot, coords=problem.robot.coords - np.array(point)),
         start=_placed(problem.start, point),
+        reference_bounds=None,
         goal=goal if isinstance(goal, GoalSet) else _placed(goal, point),
     )
 

@@ -10,6 +10,7 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 from matplotlib.transforms import Affine2D
 
+from planar_planner.explain.about_point import path_label
 from planar_planner.films.canvas import Backdrop, Frame
 from planar_planner.films.material import Material
 from planar_planner.films.pace import Pace
@@ -59,7 +60,9 @@ def drive_frames(material: Material, pace: Pace, size: tuple[int, int]) -> Itera
     axes.add_patch(robot)
     (trail,) = axes.plot([], [], color=TRACE, linewidth=1.6)
     (point,) = axes.plot([], [], "o", markersize=5, color=TRACE, markeredgecolor="white")
-    stage.legend([Line2D([], [], color=TRACE, linewidth=1.6, label="path of the reference point")])
+    stage.legend(
+        [Line2D([], [], color=TRACE, linewidth=1.6, label=path_label(material.cells.point))]
+    )
     backdrop = Backdrop(stage.figure, [trail, robot, point, stage.status])
 
     for k, (q, done) in enumerate(zip(placed, where, strict=True)):

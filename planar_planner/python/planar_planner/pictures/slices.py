@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
 
-from planar_planner.explain.about_point import about_point, path_of_point
+from planar_planner.explain.about_point import about_point, path_label, path_of_point
 from planar_planner.explain.cells import LABEL_COLOURS, LABELS, Cells, theta_slice
 from planar_planner.load import SceneLike, load_scene
 from planar_planner.pictures.panels import label_outer, panel_figure
@@ -84,7 +84,11 @@ def draw_slices(
     label_outer(panels, len(angles), aspect)
     figure.suptitle(title_of(problem.name, result), color=INK, fontsize=12, parse_math=False)
     figure.legend(
-        handles=_keys(problem, path), loc="outside lower center", ncols=4, frameon=False, fontsize=9
+        handles=_keys(problem, path, path_label(cells.point)),
+        loc="outside lower center",
+        ncols=4,
+        frameon=False,
+        fontsize=9,
     )
     if file is not None:
         save_picture(figure, file)
@@ -167,7 +171,7 @@ def passes(path: Floats, theta: float, *, turning: bool) -> Floats:
     return np.array(found).reshape(-1, 3)
 
 
-def _keys(problem: Problem, path: Floats) -> list[Patch | Line2D]:
+def _keys(problem: Problem, path: Floats, label: str) -> list[Patch | Line2D]:
     keys: list[Patch | Line2D] = [
         Patch(facecolor=LABEL_COLOURS[name], edgecolor="#00000055", label=name) for name in LABELS
     ]
@@ -175,6 +179,6 @@ def _keys(problem: Problem, path: Floats) -> list[Patch | Line2D]:
         colour = END_COLOURS[name]
         keys.append(Line2D([], [], color=colour, marker="o", linestyle="none", label=name))
     if len(path):
-        keys.append(Line2D([], [], color=TRACE, linewidth=0.8, label="path of the reference point"))
+        keys.append(Line2D([], [], color=TRACE, linewidth=0.8, label=label))
         keys.append(Patch(facecolor="white", edgecolor=TRACE, label="robot where it has the angle"))
     return keys
