@@ -25,7 +25,10 @@ TOLD = (
 )
 """What a note says that tells of something left out."""
 
-ROUTINE = r"without a role|curves are flattened|reference_bounds are chosen|holds for"
+ROUTINE = (
+    r"without a role|curves are flattened|reference_bounds are chosen|holds for|became nothing|"
+    r"projected to"
+)
 """Notes that every import may have and that tell of no difference."""
 
 RAW = r"np\.\w+\(|object at 0x|Traceback|<class '"

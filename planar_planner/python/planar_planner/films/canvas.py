@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from typing import Any
 
@@ -65,7 +66,9 @@ class Backdrop:
         for artist in moving:
             artist.set_animated(True)  # drawing the figure then leaves them out
         canvas: Any = figure.canvas  # Agg's; its methods have no types
-        canvas.draw()
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", "Glyph .* missing")  # a name may be in any script
+            canvas.draw()
         figure.set_layout_engine("none")
         self._canvas = canvas
         self._still = canvas.copy_from_bbox(figure.bbox)

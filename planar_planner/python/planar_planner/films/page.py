@@ -16,7 +16,7 @@ from pathlib import Path
 
 from planar_planner.films.material import Material
 from planar_planner.films.pace import Pace
-from planar_planner.films.page_material import page_material
+from planar_planner.films.page_material import encodable, page_material
 
 PAGE_SUFFIX = ".html"
 
@@ -64,7 +64,7 @@ def page_text(material: Material, pace: Pace, size: tuple[int, int] | None = Non
         "img-src data:; base-uri 'none'; form-action 'none'"
     )
     return string.Template(_part("player.html")).substitute(
-        title=html.escape(material.problem.name),
+        title=html.escape(encodable(material.problem.name)),
         policy=policy,
         style=style,
         script=script,

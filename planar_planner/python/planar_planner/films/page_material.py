@@ -36,6 +36,11 @@ _MEANINGS = {
 }
 
 
+def encodable(name: str) -> str:
+    """Return a name with what UTF-8 cannot hold, such as lone surrogates, escaped."""
+    return name.encode("utf-8", "backslashreplace").decode()
+
+
 def page_material(
     material: Material, pace: Pace, size: tuple[int, int] | None = None
 ) -> dict[str, Any]:
@@ -64,7 +69,7 @@ def page_material(
     return {
         "format": FORMAT,
         "version": VERSION,
-        "name": problem.name,
+        "name": encodable(problem.name),
         "verdict": headline(result).removeprefix(one_line(f"{problem.name}: ")),
         "rotation": problem.rotation,
         "world": _world(problem, result.path),

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.text import Annotation
 
+from planar_planner.errors import one_line
 from planar_planner.films.canvas import blank_figure
 from planar_planner.pictures.goal_region import draw_goal_region
 from planar_planner.pictures.style import INK
@@ -84,7 +85,7 @@ def make_stage(
         keys += draw_goal_region(axes, region)
     keys += draw_ends(axes, problem)
     frame_axes(axes, view_box(problem, path), outlined=problem.reference_bounds is None)
-    text = axes.set_title(f"{_fitting(title, size[0])}\n", color=INK, fontsize=12)
+    text = axes.set_title(f"{_fitting(one_line(title), size[0])}\n", color=INK, fontsize=12)
     text.set_parse_math(False)
     status = axes.annotate(
         "",

@@ -6,6 +6,7 @@ The module is light to import: a reader and its libraries are imported only to r
 from __future__ import annotations
 
 import importlib
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -67,6 +68,7 @@ _SNIFFED = (  # marks in the beginnings of files whose names do not determine th
     (b"<COLLADA", COLLADA),
     (b"<svg", SVG),
 )
+_DXF_MARK = re.compile(rb"(?:999[^\n]*\n[^\n]*\n\s*)*0\s*\n\s*SECTION\b|AutoCAD Binary DXF")
 _WKT_MARKS = (b"POLYGON", b"GEOMETRYCOLLECTION")  # in any case of letters
 _SNIFFED_BYTES = 4096
 _PMPL = (b"Boundary", b"MultiBodies", b"Multibodies")
@@ -107,6 +109,8 @@ def format_of(path: Path, data: bytes) -> Format | None:
     if path.suffix.lower() == ".json" or beginning.startswith(b"{"):
         return None
     kind = next((kind for mark, kind in _SNIFFED if mark in beginning), None)
+    if kind is None and _DXF_MARK.match(beginning):
+        return DXF
     if kind is None and any(mark in beginning.upper() for mark in _WKT_MARKS):
         return WKT
     return kind

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from matplotlib.axes import Axes
 
+from planar_planner.errors import cut, one_line
 from planar_planner.ompl.comparison import spread
 from planar_planner.pictures.style import new_figure, save_picture
 
@@ -69,7 +70,7 @@ def draw_comparison(
     axes.axhline(1e3 * settings.timeout, color="#888888", linewidth=0.8, linestyle="--")
     axes.set_yscale("log")
     axes.set_ylabel("time to first solution, with preparation (ms)\nmedian and quartiles")
-    names = [each.scene for each in comparisons]
+    names = [one_line(cut(each.scene)) for each in comparisons]
     axes.set_xticks(
         range(len(names)),
         names,

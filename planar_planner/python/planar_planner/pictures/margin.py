@@ -80,7 +80,7 @@ def draw_margin(scene: SceneLike, margin: Margin) -> Figure:
         )
         frame_axes(axes[1], near, outlined=False)
         pinch = one_line(f"narrowest: {touched(place)}")
-        axes[1].set_title(pinch, color=INK, fontsize=11, parse_math=False, wrap=True)
+        axes[1].set_title(pinch, color=INK, fontsize=11, parse_math=False)
     headline = margin_headline(margin).replace("; ", "\n", 1)
     figure.suptitle(headline, color=INK, fontsize=12, parse_math=False)
     figure.legend(handles=keys, loc="outside lower center", ncols=4, frameon=False, fontsize=9)

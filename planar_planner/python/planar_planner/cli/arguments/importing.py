@@ -23,6 +23,7 @@ _OUTPUTS = {
     "json": "--json",
     "certificate": "the certificate",
     "plot": "--plot",
+    "save": "--save",
 }
 """Arguments that name files to write, or a certificate to read, and what messages call them."""
 
@@ -159,8 +160,7 @@ def _check_files(arguments: argparse.Namespace, name: str) -> None:
     """Find out before the work that an output would overwrite an input or another output."""
     given = vars(arguments)
     inputs = {"the scene": Path(name)}
-    if given.get("robot") is not None:
-        inputs["--robot"] = given["robot"]
+    inputs |= {f"--{key}": given[key] for key in ("robot", "path") if given.get(key) is not None}
     outputs = {
         label: Path(given[key])
         for key, label in _OUTPUTS.items()

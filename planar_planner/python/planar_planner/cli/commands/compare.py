@@ -8,7 +8,7 @@ import sys
 from importlib.metadata import version
 from typing import Any
 
-from planar_planner.cli.arguments.importing import add_importing, scene_of
+from planar_planner.cli.arguments.importing import STDIN, add_importing, scene_of
 from planar_planner.cli.arguments.shared import (
     DONE,
     add_command,
@@ -19,6 +19,7 @@ from planar_planner.cli.arguments.shared import (
 )
 from planar_planner.cli.json_output import json_output
 from planar_planner.cli.progress import Progress
+from planar_planner.errors import OptionsError
 from planar_planner.ompl.comparison import table, to_json
 from planar_planner.ompl.samplers import DEFAULT_SAMPLERS
 from planar_planner.output_files import check_writable, emit, written_aside
@@ -82,6 +83,8 @@ def run(arguments: argparse.Namespace) -> int:
     quiet = output.to_stdout
     if arguments.plot is not None:
         check_writable(arguments.plot)
+    if arguments.scenes.count(STDIN) > 1:
+        raise OptionsError("standard input is one scene: name - once")
     require_ompl()
     scenes = [scene_of(arguments, name, quiet=quiet) for name in arguments.scenes]
     for scene in scenes:  # a mistake in the last scene is reported before the first run

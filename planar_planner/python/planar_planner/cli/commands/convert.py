@@ -11,10 +11,10 @@ from typing import Any
 
 from planar_planner.cli.arguments.importing import add_importing, scene_of
 from planar_planner.cli.arguments.shared import DONE, add_command, add_json, add_scene
-from planar_planner.cli.json_output import json_output
+from planar_planner.cli.json_output import JsonOutput, json_output
 from planar_planner.cli.progress import Progress
 from planar_planner.formats.exporting import write_scene
-from planar_planner.output_files import check_writable, emit, written_aside
+from planar_planner.output_files import check_distinct, check_writable, emit, written_aside
 from planar_planner.scene.size import scene_size, size_json
 
 FORMAT = "planar-planner/conversion"
@@ -63,6 +63,7 @@ def run(arguments: argparse.Namespace) -> int:
         files = {arguments.out: text.encode()}
     else:
         files = write_scene(content, arguments.out)
+    _check_companions(arguments, files, output)
     for file, data in files.items():
         check_writable(file)
         with written_aside(file) as aside:
@@ -84,3 +85,14 @@ def run(arguments: argparse.Namespace) -> int:
         }
     )
     return 0
+
+
+def _check_companions(
+    arguments: argparse.Namespace, files: Mapping[Path, bytes], output: JsonOutput
+) -> None:
+    """Refuse files beside the named one, as a ``.rob`` is, that are an input or another output."""
+    inputs = {"the scene": Path(arguments.scene)}
+    if arguments.robot is not None:
+        inputs["--robot"] = arguments.robot
+    outputs = {file.name: file for file in files}
+    check_distinct(inputs, outputs if output.file is None else outputs | {"--json": output.file})
