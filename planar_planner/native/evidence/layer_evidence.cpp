@@ -110,6 +110,7 @@ void add_exact_segments(const Layer& layer, Evidence& evidence) {
     return std::vector{std::move(out)};
   };
   std::vector<std::vector<ProvenInterval>> segments;
+  segments.reserve(evidence.waypoints.size());
   for (std::size_t i = 0; i < evidence.exact_before; ++i) segments.push_back(proven(i));
   for (std::vector<ProvenInterval>& middle : evidence.segments)
     segments.push_back(std::move(middle));

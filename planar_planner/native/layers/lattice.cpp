@@ -27,7 +27,7 @@ struct Uint256 {
 };
 
 Uint256 product(const Uint128 a, const Uint128 b) {
-  constexpr int half = 64;
+  constexpr unsigned half = 64;
   const auto low = [](const Uint128 v) {
     return static_cast<Uint128>(static_cast<std::uint64_t>(v));
   };
@@ -85,7 +85,7 @@ Int64 double_below(const Int64 value) {
   const int bits =
       std::numeric_limits<std::uint64_t>::digits - (size == 0 ? 64 : __builtin_clzll(size));
   if (bits <= kSignificantBits) return value;
-  const std::uint64_t unit = std::uint64_t{1} << (bits - kSignificantBits);
+  const std::uint64_t unit = std::uint64_t{1} << static_cast<unsigned>(bits - kSignificantBits);
   const std::uint64_t rest = size % unit;
   if (rest == 0) return value;
   return value < 0 ? -static_cast<Int64>(size - rest + unit) : static_cast<Int64>(size - rest);

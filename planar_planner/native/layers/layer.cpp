@@ -73,7 +73,7 @@ void keep_inside(LatticeRectangle& r, const LatticePoint low, const LatticePoint
 LatticeRectangle make_domain(const Lattice& lattice, const std::optional<Rectangle>& box,
                              const std::optional<Rectangle>& reference,
                              const std::vector<LayerPiece>& robot) {
-  constexpr Int64 far = Int64{1} << (kLatticeBits + 1);
+  constexpr auto far = static_cast<Int64>(std::uint64_t{1} << unsigned{kLatticeBits + 1});
   LatticeRectangle domain{{-far, -far}, {far, far}};
   if (reference)
     keep_inside(domain, to_lattice(lattice, reference->low), to_lattice(lattice, reference->high));

@@ -205,6 +205,7 @@ std::optional<std::vector<LatticePoint>> find_taut_path(const Layer& layer) {
     if (!way.empty()) {
       shorten(search, way);
       std::vector<LatticePoint> path;
+      path.reserve(way.size());
       for (const std::size_t k : way) path.push_back(corners[k]);
       return path;
     }
@@ -238,6 +239,7 @@ std::optional<std::vector<LatticePoint>> find_way_out(const Layer& layer,
   const std::vector<std::size_t> way = search.find(kNearestCorners, arrives, false);
   if (way.empty()) return std::nullopt;
   std::vector<LatticePoint> path;
+  path.reserve(way.size() + 1);
   for (const std::size_t k : way) path.push_back(corners[k]);
   path.push_back(open);
   return path;
