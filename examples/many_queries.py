@@ -2,9 +2,9 @@
 
 It prints::
 
-    to (12.6, 4.6, 0.0): path, 15142 cells labelled
-    to (4.6, 16.6, 1.57): path, 704 cells labelled
-    and back: path, 0 cells labelled
+    to (12.6, 4.6, 0.0): path, 14770 cells labelled
+    to (4.6, 16.6, 1.57): path, 784 cells labelled
+    and back: path, 2 cells labelled
 """
 
 from planar_planner import Planner

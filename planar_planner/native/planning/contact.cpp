@@ -61,8 +61,8 @@ bool Planner::leave_contact(Query& query, const Configuration& start, const Goal
   layer->goal = layer->start;
   std::array<Int64, kWayOutLevels.size()> lengths{};
   for (std::size_t k = 0; k < lengths.size(); ++k)
-    lengths[k] = to_lattice(layer->lattice,
-                            std::ldexp(finest, kWayOutLevels.back() - kWayOutLevels[k]));
+    lengths[k] =
+        to_lattice(layer->lattice, std::ldexp(finest, kWayOutLevels.back() - kWayOutLevels[k]));
   const auto placed = [&](const LatticePoint p) -> std::optional<Configuration> {
     const std::optional<Vec2> at = to_user(layer->lattice, p);
     if (!at) return std::nullopt;
