@@ -184,8 +184,8 @@ TEST(PlannerSmall, FixedAngleDecidesTheVerdict) {
 }
 
 TEST(PlannerSmall, ExactlyAsWideAsTheGap) {
-  // Touching is allowed. Cells can neither certify nor refute a passage of no width; exact arithmetic
-  // passes it, and refutes one that is narrower by one unit in the last place.
+  // Touching is allowed. Cells can neither certify nor refute a passage of no width; exact
+  // arithmetic passes it, and refutes one that is narrower by one unit in the last place.
   Problem scene = room();
   scene.rotation = false;
   scene.obstacles.append(box(5, 2.25, 0.5, 2.25));
