@@ -59,6 +59,8 @@ bool Planner::leave_contact(Query& query, const Configuration& start, const Goal
   if (!layer) return false;
   layer->start = at_start ? layer->start : layer->goal;
   layer->goal = layer->start;
+  std::vector<std::int32_t> scratch;
+  if (!is_free(*layer, layer->start, scratch)) return false;  // it overlaps by less than rounding
   std::array<Int64, kWayOutLevels.size()> lengths{};
   for (std::size_t k = 0; k < lengths.size(); ++k)
     lengths[k] =

@@ -103,3 +103,15 @@ def test_a_resting_robot_is_proven_walled_in(tolerance: float) -> None:
     assert result.verdict == "no_path"
     assert result.certificate is not None
     verify_certificate(scene, result.certificate)
+
+
+@pytest.mark.parametrize("exponent", [-52, -50, -48, -46])
+@pytest.mark.parametrize("end", ["start", "goal"])
+def test_an_end_that_overlaps_by_less_than_rounding_has_no_path(end: str, exponent: int) -> None:
+    """Sunk into the workspace's floor, and a robot that has to turn: found by the stress run."""
+    content = room(1.5, tilt=0.0, turn=1.0)
+    content["obstacles"].pop()
+    content["start"] = [2, 0.5 - 2.0**exponent, 0.0]
+    if end == "goal":
+        content["start"], content["goal"] = content["goal"], content["start"]
+    assert solve(load_scene(content)).verdict == "undecided"
