@@ -43,11 +43,12 @@ void Planner::prepare_about_body(const Ablation& ablation) {
 std::optional<Answer> Planner::solve_about_body(const Configuration& start,
                                                 const Configuration& goal, const Limits& limits,
                                                 const Listener& listener) {
+  const Goal own{std::in_place_type<Configuration>, goal};
   LimitWatch watch(limits, listener);
   Query query(
-      start, goal, nullptr, limits, [&] { return watch.elapsed(); },
+      start, own, nullptr, limits, [&] { return watch.elapsed(); },
       [&](const Usage& usage, const auto& progress) { return watch.check(usage, progress); });
-  if (ends_settle_it(query, start, goal) || query.in_contact || !query.legs.empty()) {
+  if (ends_settle_it(query, start, own) || query.in_contact || !query.legs.empty()) {
     layer_.reset();
     legs_layer_.reset();
     return std::nullopt;
@@ -58,15 +59,15 @@ std::optional<Answer> Planner::solve_about_body(const Configuration& start,
   body.end_error_ = turning_error(point_, reach + pdg::norm(point_) + limits.contact_tolerance);
   Limits left = limits;
   left.timeout -= watch.elapsed();
-  query.answer =
-      body.solve(placed(point_, query.start), placed(point_, query.goal), left, listener);
+  const Goal there{std::in_place_type<Configuration>, placed(point_, query.goal)};
+  query.answer = body.solve(placed(point_, query.start), there, left, listener);
   query.stopped_by = query.answer.stopped_by;
   if (!take_over(query, start, goal)) return std::nullopt;
   by_body_ = true;
   Answer& answer = query.answer;
-  if (answer.stop_reason == StopReason::kResolution) settle_resolution(query, start, goal);
-  remember(query, start, goal);
-  settle_lifted_ends(query, start, goal);
+  if (answer.stop_reason == StopReason::kResolution) settle_resolution(query, start, own);
+  remember(query, start, own);
+  settle_lifted_ends(query, start, own);
   Statistics& all = answer.statistics;
   all.path_length = answer.path.length;
   all.path_turning = answer.path.turning;
@@ -91,8 +92,8 @@ bool Planner::take_over(Query& query, const Configuration& start, const Configur
       if (by == DecidedBy::kStart || by == DecidedBy::kGoal) return false;
       if (!query.lifted) return true;
       body.last_.start = placed(point_, start);
-      body.last_.goal = placed(point_, goal);
-      body.confirm_absence(query, placed(point_, start), placed(point_, goal));
+      body.last_.goal.emplace<Configuration>(placed(point_, goal));
+      body.confirm_absence(query, body.last_.start, body.last_.goal);
       return true;
     case Verdict::kUndecided:
       return !touches_end(query.answer.stop_reason);
