@@ -12,6 +12,7 @@ from planar_planner import _core
 
 FREE = {
     "state": "free",
+    "exact": False,
     "what": "",
     "polygon": -1,
     "piece": 0,
@@ -60,6 +61,9 @@ class FakeCore:
 
     def placement(self, q: tuple[float, float, float]) -> dict[str, Any]:
         return type(self).placements(q)
+
+    def tolerated_error(self) -> float:
+        return float("inf")
 
     def solve(self, start: Any, goal: Any, *limits: Any) -> dict[str, Any]:
         type(self).solved.append((start, goal, *limits))

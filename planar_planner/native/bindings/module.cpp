@@ -131,6 +131,7 @@ nb::dict placement_dict(const planner::Placement& p) {
   out["what"] = what;
   out["polygon"] = p.obstacle;
   out["piece"] = p.robot_polygon;
+  out["exact"] = p.exact;
   out["depth"] = p.depth;
   out["separation"] = p.clearance;
   return out;
@@ -234,6 +235,7 @@ NB_MODULE(_core, m) {
           nb::arg("robot"), nb::arg("obstacles"), nb::arg("workspace_box").none(),
           nb::arg("workspace").none(), nb::arg("reference_bounds").none(), nb::arg("rotation"),
           nb::arg("without") = std::vector<std::string>{}, nb::arg("query") = "per-normal")
+      .def("tolerated_error", &planner::Planner::tolerated_error)
       .def(
           "placement",
           [](planner::Planner& self, const std::array<double, 3>& q) {

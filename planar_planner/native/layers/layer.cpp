@@ -18,10 +18,16 @@ struct GivenPiece {
   pdg::ConvexPolygon vertices;
 };
 
+bool meet(const Rectangle& a, const Rectangle& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
 template <class Polygons>  // PolygonSet or Obstacles
-std::vector<GivenPiece> partition(const Polygons& polygons) {
+std::vector<GivenPiece> partition(const Polygons& polygons,
+                                  const std::optional<Rectangle>& near = std::nullopt) {
   std::vector<GivenPiece> out;
   for (std::size_t i = 0; i < polygons.size(); ++i) {
+    if (near && !meet(*near, polygons.bounds(i))) continue;
     std::uint32_t index = 0;
     for (pdg::ConvexPolygon& piece : planner_pieces(polygons.polygon(i)))
       out.push_back({static_cast<std::uint32_t>(i), index++, std::move(piece)});
@@ -141,7 +147,7 @@ void add_sums(Layer& layer) {
 std::optional<Layer> make_layer(const ScaledProblem& problem, const LayerQuery& query,
                                 const LayerLimits& limits) {
   const std::vector<GivenPiece> robot = partition(problem.given.robot);
-  const std::vector<GivenPiece> obstacles = partition(all_obstacles(problem));
+  const std::vector<GivenPiece> obstacles = partition(all_obstacles(problem), query.near);
   if (!is_within(robot, obstacles, limits)) return std::nullopt;
   const std::optional<Lattice> lattice = lattice_of(problem.given, query, robot, obstacles);
   if (!lattice) return std::nullopt;
@@ -155,6 +161,25 @@ std::optional<Layer> make_layer(const ScaledProblem& problem, const LayerQuery& 
   layer.goal = to_lattice(*lattice, query.goal);
   add_sums(layer);
   return layer;
+}
+
+std::optional<Overlap> deepest_overlap(const Layer& layer, const LatticePoint p) {
+  std::optional<Overlap> deepest;
+  for (std::size_t i = 0; i < layer.sums.size(); ++i) {
+    const std::vector<LatticePoint>& ring = layer.sums[i].vertices;
+    if (!contains(layer.sums[i], p)) continue;
+    double depth = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const LatticePoint a = ring[k];
+      const LatticePoint b = ring[(k + 1) % ring.size()];
+      const double length =
+          std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y));
+      depth = std::min(depth, static_cast<double>(orientation(a, b, p)) / length);
+    }
+    depth = std::ldexp(depth, layer.lattice.exponent);
+    if (!deepest || depth > deepest->depth) deepest = Overlap{i, depth};
+  }
+  return deepest;
 }
 
 void find_near(const Layer& layer, const LatticePoint a, const LatticePoint b,

@@ -42,6 +42,8 @@ struct LayerQuery {
   int quarters = 0;
   Vec2 start, goal;     // the reference point, user's units
   double finest = 0.0;  // a length that the lattice has to hold besides; user's units
+  // Obstacles that do not come near it are left out; user's units.
+  std::optional<Rectangle> near = std::nullopt;
 };
 
 // Limits on the size of a layer, by count.
@@ -53,6 +55,14 @@ struct LayerLimits {
 // Empty if the scene's numbers share no lattice (kLatticeBits) or the layer exceeds the limits.
 std::optional<Layer> make_layer(const ScaledProblem& problem, const LayerQuery& query,
                                 const LayerLimits& limits);
+
+// The sum that a point is deepest in, and the distance to its nearest side in the user's unit;
+// empty if it is in none.
+struct Overlap {
+  std::size_t sum;
+  double depth;
+};
+std::optional<Overlap> deepest_overlap(const Layer& layer, LatticePoint p);
 
 // Sums whose boxes come near the rectangle spanned by a and b, in the order of the tree.
 void find_near(const Layer& layer, LatticePoint a, LatticePoint b,

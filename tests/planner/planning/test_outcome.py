@@ -13,6 +13,7 @@ from planar_planner.planning.outcome import MOVED, PATHS, PROOFS, STOPS, sentenc
 NO_REMEDY = {
     StopReason.INTERRUPTED,
     StopReason.MOVED_ENDS,
+    StopReason.NO_DOUBLES,
     StopReason.NO_EVIDENCE,
     StopReason.LOST_CHANNEL,
 }

@@ -126,3 +126,37 @@ def touching_segment_turned(scene: Json, certificate: Json) -> Mutant:
     for waypoint in certificate["waypoints"][1:-1]:
         waypoint[2] += 2.0**-40
     return scene, certificate
+
+
+@mutation
+def decimals_of_doubles(scene: Json, certificate: Json) -> Mutant:
+    """Signed: the scene says that its numbers are doubles."""
+    if "decimal_places" not in certificate:
+        return None
+    scene["numbers"] = "doubles"
+    return scene, signed(scene, certificate)
+
+
+@mutation
+def decimals_of_another_place(scene: Json, certificate: Json) -> Mutant:
+    if "decimal_places" not in certificate:
+        return None
+    certificate["decimal_places"] += 1
+    return scene, certificate
+
+
+@mutation
+def decimals_left_out(scene: Json, certificate: Json) -> Mutant:
+    if "decimal_places" not in certificate:
+        return None
+    del certificate["decimal_places"]
+    return scene, certificate
+
+
+@mutation
+def decimals_that_are_none(scene: Json, certificate: Json) -> Mutant:
+    """Signed: a length of the scene has more places."""
+    if "decimal_places" not in certificate:
+        return None
+    scene["start"][0] += 2.0**-20
+    return scene, signed(scene, certificate)

@@ -14,6 +14,7 @@ from planar_planner.checker.arithmetic import (
     Polygon,
     Rectangle,
     Vector,
+    angle_of,
     bounding_box,
     cross,
     cyclic_pairs,
@@ -40,7 +41,7 @@ class GoalArea(NamedTuple):
         """Whether some angle may lie between two in turns, whole turns apart or not."""
         if self.angles is None:
             return True
-        low, high = map(turns_of, self.angles)
+        low, high = (turns_of(angle_of(theta)) for theta in self.angles)
         low, high = low % 1, high - low + low % 1
         return any(
             low + n - TURNS_ERROR <= last and first <= high + n + TURNS_ERROR for n in (-1, 0, 1)

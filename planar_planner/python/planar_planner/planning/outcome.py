@@ -17,6 +17,8 @@ PATHS: Mapping[DecidedBy, str] = {
     DecidedBy.CHANNEL: "certified through a channel of cells",
     DecidedBy.RIDGE: "certified along the ridge of the clearance",
     DecidedBy.TAUT_PATH: "certified exactly, round the corners of C-obstacles that may be touched",
+    DecidedBy.JOINED_LAYERS: "certified exactly where it may touch, without turning there, and "
+    "through cells between",
 }
 """How a path was found."""
 
@@ -42,6 +44,9 @@ STOPS: Mapping[StopReason, str] = {
     StopReason.START_TOUCHES_WORKSPACE: _TOUCHES.format("start", "the workspace"),
     StopReason.GOAL_TOUCHES_OBSTACLE: _TOUCHES.format("goal", "an obstacle"),
     StopReason.GOAL_TOUCHES_WORKSPACE: _TOUCHES.format("goal", "the workspace"),
+    StopReason.TIGHT_TURN: "resolution reached; a path would have to turn, or to pass at an angle "
+    "that is no quarter turn, in less room than that",
+    StopReason.NO_DOUBLES: "a path exists, but none was found whose corners are doubles",
     StopReason.MOVED_ENDS: "no path from where the contact tolerance moved the ends; that proves "
     "nothing of the ends themselves",
     StopReason.NO_EVIDENCE: "an answer was found, but the evidence for it cannot be written: its "
