@@ -74,6 +74,7 @@ class FakeCore:
             "stop_reason": _core.StopReason.MAX_CELLS if self.verdict == "undecided" else None,
             "ends_moved": False,
             "to_be_checked": False,
+            "exact_legs": False,
             "path": path,
             "stats": STATS.replace(decided_by=DECIDED_BY[self.verdict]),
         }

@@ -195,6 +195,7 @@ nb::dict solve(planner::Planner& planner, const std::array<double, 3>& start,
   out["stop_reason"] = answer.stop_reason;
   out["ends_moved"] = answer.ends_moved;
   out["to_be_checked"] = answer.to_be_checked;
+  out["exact_legs"] = !answer.exact.empty();
   out["path"] = path_array(answer.path.waypoints);
   out["stats"] = answer.statistics;
   return out;

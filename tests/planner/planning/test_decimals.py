@@ -170,7 +170,7 @@ def test_a_planner_answers_in_the_users_unit() -> None:
     assert wall is not None and len(wall)
     for found in (cells, wall):
         assert (found.lower[:, :2] >= -0.2).all() and (found.upper[:, :2] <= 1.2).all()
-    near = planner.solve(goal=[0.01, 0.6, 0.0])
+    near = planner.solve([0.01, 0.31, 0.0], [0.02, 0.6, 0.0])
     assert near.verdict == "path" and near.decimal_places is None
 
 

@@ -55,6 +55,7 @@ STOPS: Mapping[StopReason, str] = {
 }
 """Why a query stayed undecided."""
 
+LEGS = "; ends in contact are left and reached exactly, without turning"
 MOVED = "; ends in contact were moved off within the contact tolerance"
 
 
@@ -64,6 +65,7 @@ def sentence(
     stop_reason: StopReason | None = None,
     *,
     ends_moved: bool = False,
+    exact_legs: bool = False,
 ) -> str:
     """Return in words what an answer rests on.
 
@@ -76,7 +78,9 @@ def sentence(
     stop_reason : StopReason or None
         Why the query stayed undecided.
     ends_moved : bool, optional
-        Whether the path has legs that move an end off its contact.
+        Whether the path has legs that move an end off its contact, within the tolerance.
+    exact_legs : bool, optional
+        Whether it has legs that lead out of contact exactly.
 
     Raises
     ------
@@ -88,7 +92,8 @@ def sentence(
     found = (PATHS if verdict == "path" else PROOFS).get(decided_by) if decided_by else None
     if found is None:
         raise ValueError(f"{verdict} by {decided_by!r}, {stop_reason!r}")
-    return found + (MOVED if ends_moved else "")
+    legs = exact_legs and decided_by is not DecidedBy.JOINED_LAYERS
+    return found + (LEGS if legs else "") + (MOVED if ends_moved else "")
 
 
 def sentence_of(answer: Mapping[str, Any]) -> str:
@@ -98,4 +103,5 @@ def sentence_of(answer: Mapping[str, Any]) -> str:
         answer["stats"].decided_by,
         answer["stop_reason"],
         ends_moved=answer["ends_moved"],
+        exact_legs=answer["exact_legs"],
     )

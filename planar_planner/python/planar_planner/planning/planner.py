@@ -346,4 +346,11 @@ def _without_evidence(answer: Mapping[str, Any]) -> dict[str, Any]:
     """Return an answer whose evidence the core could not write as undecided."""
     undecided = {"verdict": "undecided", "stop_reason": StopReason.NO_EVIDENCE}
     stats = answer["stats"].replace(decided_by=None)
-    return {**answer, **undecided, "stats": stats, "path": [], "ends_moved": False}
+    return {
+        **answer,
+        **undecided,
+        "stats": stats,
+        "path": [],
+        "ends_moved": False,
+        "exact_legs": False,
+    }

@@ -18,7 +18,7 @@ Box = tuple[float, float, float, float]
 Configuration = tuple[float, float, float]
 
 _TAU = 628318530717958647692528676655900576839433879875021164194988, 10**59
-"""2π to 60 digits, as a quotient: an angle in radians is then the double nearest to the exact one."""
+"""2π to 60 digits, as a quotient, so that an angle is the double nearest to the exact one."""
 _UNITS = {"deg": (_TAU[0], 360 * _TAU[1]), "turn": _TAU, "turns": _TAU, "rad": (1, 1)}
 _ANGLE = re.compile(
     r"\s*([-+]?)(?=\.?\d)(\d*)\.?(\d*)(?:[eE]([-+]?\d{1,3}))?\s*([a-z]+)\s*", re.ASCII
@@ -78,9 +78,10 @@ def radians_of(text: str) -> float | None:
     digits = int(found[1] + found[2] + found[3])
     power = int(found[4] or 0) - len(found[3])
     try:  # the quotient of two integers is rounded once
-        return digits * 10 ** max(power, 0) * above / (below * 10 ** max(-power, 0))
+        radians: float = digits * 10 ** max(power, 0) * above / (below * 10 ** max(-power, 0))
     except OverflowError:
         return math.inf
+    return radians
 
 
 def box(value: object, field: str) -> Box:
