@@ -3,7 +3,7 @@
 import math
 
 from scenarios import maze
-from scenarios.model import Geometry, Scene, box, polygon, scene
+from scenarios.model import Geometry, Ring, Scene, box, polygon, scene
 
 SIZE = 12  # cells along each side of the exact maze
 SEED = 5
@@ -97,7 +97,7 @@ def sliding_block(high: float = 6.0, name: str = "sliding-block") -> Scene:
 def locked(mouth: float = NARROW_MOUTH, name: str = "locked") -> Scene:
     """Return a square part that fills its cavity; the mouth above is narrower, or as wide."""
     left = 5.0 - mouth / 2
-    ring = [(2, 1), (8, 1), (8, 4), (left + mouth, 4), (left + mouth, 3), (6, 3)]
+    ring: Ring = [(2, 1), (8, 1), (8, 4), (left + mouth, 4), (left + mouth, 3), (6, 3)]
     ring += [(6, 2), (6, 1.5), (4, 1.5), (4, 3), (left, 3), (left, 4), (2, 4)]
     return scene(
         name,

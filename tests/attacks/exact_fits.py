@@ -203,6 +203,32 @@ def _scaled(content: Content, by: float) -> Content:
     return with_robot(mapped(content, scale), scale)
 
 
+def attack_region(seed: int) -> str:
+    """Return how a puzzle whose goal is a region was decided; raise where that is wrong."""
+    draw = random.Random(2 * 10**6 + seed)
+    content = puzzle(draw)
+    n = content["workspace"]["box"][2]
+    rings = [
+        rectangle(draw.randint(0, n - 1), draw.randint(0, n - 1), draw.randint(1, 3), 1)
+        for _ in range(draw.randint(1, 2))
+    ]
+    shapes = [[ring] for ring in rings]
+    content["goal"] = {"region": {"type": "MultiPolygon", "coordinates": shapes}}
+    expected = is_joined(content)
+    scene = load_scene(content)
+    try:
+        result = solve(scene, FEW, certificate=True)
+    except SceneError:
+        assert expected is None, f"region, seed {seed}: the start is free"
+        return NAMES[None]
+    if result.certificate is not None:
+        verify_certificate(scene, result.certificate)
+    if result.verdict != "undecided":
+        assert (result.verdict == "path") == expected, f"region, seed {seed}: {result}"
+        return NAMES[expected]
+    return str(result.stop_reason)
+
+
 def attack_turning(seed: int, angles: Sequence[Any]) -> str:
     """Return how a puzzle with a robot that may turn was decided, as it is and turned."""
     draw = random.Random(10**6 + seed)
@@ -246,6 +272,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for kind, count in sorted(fixed.items()):
         print(f"{count:8,}  {kind}")
     print(f"{fixed.total():,} scenes without turning: every answer is the oracle's")
+    regions = Counter(attack_region(given.first + k) for k in range(given.turning))
+    print(f"goal regions: no wrong answer; {dict(regions)}")
     for name, angles in ANGLES.items():
         found = Counter(attack_turning(given.first + k, angles) for k in range(given.turning))
         asked = found.total() - found[NAMES[None]]

@@ -7,6 +7,7 @@ import re
 import pytest
 
 from attacks import exact_fits
+from oracles.rectilinear import is_joined
 
 
 def test_a_sample(capsys: pytest.CaptureFixture[str]) -> None:
@@ -14,13 +15,14 @@ def test_a_sample(capsys: pytest.CaptureFixture[str]) -> None:
     printed = capsys.readouterr().out
     assert "1,407 scenes without turning: every answer is the oracle's" in printed
     assert len(re.findall(r"^ +\d+  .*: no path$", printed, re.MULTILINE)) == 7
+    assert "goal regions: no wrong answer" in printed
     decided, asked = map(int, re.findall(r"ends at angle 0: (\d+) of (\d+)", printed)[0])
     assert decided >= 0.9 * asked > 10
 
 
 @pytest.mark.parametrize("lie", [True, False, None])
 def test_a_wrong_answer_is_noticed(lie: bool | None, monkeypatch: pytest.MonkeyPatch) -> None:
-    truth = exact_fits.is_joined
+    truth = is_joined
     monkeypatch.setattr(
         exact_fits, "is_joined", lambda scene, *places: lie if places else truth(scene)
     )

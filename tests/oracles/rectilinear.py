@@ -55,6 +55,7 @@ def _spans(
 def is_joined(scene: Mapping[str, Any], places: int = 0) -> bool | None:
     """Return whether start and goal are joined; None if one of them is not free.
 
+    The goal may be a region of rectilinear polygons, free or not.
     Lengths are read as decimals of so many places, or as doubles if that is 0.
     """
     read = _reader(places)
@@ -72,18 +73,37 @@ def is_joined(scene: Mapping[str, Any], places: int = 0) -> bool | None:
         for o in obstacles
         for r in robot
     ]
-    start, goal = read(scene["start"][:2]), read(scene["goal"][:2])
-    ends = [start, goal]
+    start, region = read(scene["start"][:2]), _region(scene["goal"], read)
+    ends = [start, *((x, y) for r in region for x, y in ((r.x0, r.y0), (r.x1, r.y1)))]
     xs = _halves(domain.x0, domain.x1, [v for b in blocked for v in (b.x0, b.x1)], ends, 0)
     ys = _halves(domain.y0, domain.y1, [v for b in blocked for v in (b.y0, b.y1)], ends, 1)
     free = _free(xs, ys, blocked)
-    places_of = [
-        (xs.index(x), ys.index(y)) if x in xs and y in ys else None for x, y in (start, goal)
-    ]
-    begin, end = places_of
-    if begin is None or end is None or not (free[begin[0]][begin[1]] and free[end[0]][end[1]]):
+    if start[0] not in xs or start[1] not in ys:
         return None
-    return end in _flood(free, begin)
+    begin = xs.index(start[0]), ys.index(start[1])
+    goals = {
+        (i, k)
+        for r in region
+        for i, x in enumerate(xs)
+        for k, y in enumerate(ys)
+        if r.x0 <= x <= r.x1 and r.y0 <= y <= r.y1
+    }
+    point_is_covered = isinstance(scene["goal"], list) and not any(free[i][k] for i, k in goals)
+    if not free[begin[0]][begin[1]] or point_is_covered:
+        return None
+    return not goals.isdisjoint(_flood(free, begin))
+
+
+def _region(goal: Any, read: Any) -> list[Rectangle]:
+    """Return a goal as closed rectangles; a configuration is one without extent."""
+    if isinstance(goal, list):
+        x, y = read(goal[:2])
+        return [Rectangle(x, y, x, y)]
+    geometry = goal["region"]
+    rings = geometry["coordinates"]
+    if geometry["type"] == "MultiPolygon":
+        rings = [polygon[0] for polygon in rings]
+    return [r for ring in rings for r in rectangles_of(read(ring))]
 
 
 def _reader(places: int) -> Any:

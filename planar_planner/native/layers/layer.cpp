@@ -116,9 +116,10 @@ bool is_within(const std::vector<GivenPiece>& robot, const std::vector<GivenPiec
 
 std::optional<Lattice> lattice_of(const Problem& problem, const LayerQuery& query,
                                   const std::vector<GivenPiece>& robot,
-                                  const std::vector<GivenPiece>& obstacles) {
+                                  const std::vector<GivenPiece>& obstacles,
+                                  const std::vector<GivenPiece>& region) {
   std::vector<double> values;
-  for (const std::vector<GivenPiece>* const pieces : {&robot, &obstacles})
+  for (const std::vector<GivenPiece>* const pieces : {&robot, &obstacles, &region})
     for (const GivenPiece& piece : *pieces)
       for (const Vec2 p : piece.vertices) append(values, p);
   append(values, body_box(problem));
@@ -149,7 +150,9 @@ std::optional<Layer> make_layer(const ScaledProblem& problem, const LayerQuery& 
   const std::vector<GivenPiece> robot = partition(problem.given.robot);
   const std::vector<GivenPiece> obstacles = partition(all_obstacles(problem), query.near);
   if (!is_within(robot, obstacles, limits)) return std::nullopt;
-  const std::optional<Lattice> lattice = lattice_of(problem.given, query, robot, obstacles);
+  const std::vector<GivenPiece> region =
+      query.region == nullptr ? std::vector<GivenPiece>{} : partition(*query.region);
+  const std::optional<Lattice> lattice = lattice_of(problem.given, query, robot, obstacles, region);
   if (!lattice) return std::nullopt;
   Layer layer;
   layer.lattice = *lattice;
@@ -159,6 +162,8 @@ std::optional<Layer> make_layer(const ScaledProblem& problem, const LayerQuery& 
       make_domain(*lattice, body_box(problem.given), problem.given.reference_bounds, layer.robot);
   layer.start = to_lattice(*lattice, query.start);
   layer.goal = to_lattice(*lattice, query.goal);
+  for (LayerPiece& piece : on_lattice(*lattice, region, 0))
+    layer.region.push_back(std::move(piece.vertices));
   add_sums(layer);
   return layer;
 }
@@ -180,6 +185,14 @@ std::optional<Overlap> deepest_overlap(const Layer& layer, const LatticePoint p)
     if (!deepest || depth > deepest->depth) deepest = Overlap{i, depth};
   }
   return deepest;
+}
+
+bool in_region(const Layer& layer, const LatticePoint p) {
+  return std::any_of(layer.region.begin(), layer.region.end(), [&](const LatticePolygon& piece) {
+    for (std::size_t k = 0; k < piece.size(); ++k)
+      if (orientation(piece[k], piece[(k + 1) % piece.size()], p) < 0) return false;
+    return true;
+  });
 }
 
 void find_near(const Layer& layer, const LatticePoint a, const LatticePoint b,

@@ -41,6 +41,8 @@ std::vector<LatticePoint> corners_of(const Layer& layer) {
   std::vector<LatticePoint> corners;
   for (const OpenSum& sum : layer.sums)
     for (const LatticePoint p : sum.vertices) append_doubles(corners, p);
+  for (const LatticePolygon& piece : layer.region)
+    corners.insert(corners.end(), piece.begin(), piece.end());
   std::erase_if(corners, [&](const LatticePoint p) { return !contains(layer.domain, p); });
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
@@ -240,6 +242,46 @@ std::optional<std::vector<LatticePoint>> find_taut_path(const Layer& layer) {
       std::vector<LatticePoint> path;
       path.reserve(way.size());
       for (const std::size_t k : way) path.push_back(corners[k]);
+      return path;
+    }
+    if (search.exhausted() || neighbours >= corners.size()) return std::nullopt;
+  }
+}
+
+std::optional<LatticePoint> free_place_in_region(const Layer& layer) {
+  std::vector<std::int32_t> scratch;
+  for (const LatticePoint p : corners_of(layer))
+    if (in_region(layer, p) && is_free(layer, p, scratch)) return p;
+  return std::nullopt;
+}
+
+std::optional<std::vector<LatticePoint>> find_way_into_region(const Layer& layer) {
+  const std::vector<LatticePoint> corners = corners_of(layer);
+  const Buckets buckets(corners);
+  Search search(layer, corners, buckets);
+  std::vector<std::int32_t> scratch;
+  LatticePoint place;
+  const auto arrives = [&](const std::size_t corner) {
+    const LatticePoint p = corners[corner];
+    place = p;
+    if (in_region(layer, p)) return true;
+    for (const LatticePolygon& piece : layer.region)
+      for (const LatticePoint v : piece)
+        for (const LatticePoint q : {LatticePoint{v.x, p.y}, LatticePoint{p.x, v.y}}) {
+          if (!in_region(layer, q) || !contains(layer.domain, q) || !is_free(layer, p, q, scratch))
+            continue;
+          place = q;
+          return true;
+        }
+    return false;
+  };
+  for (std::size_t neighbours = kNearestCorners;; neighbours *= kNearestGrowth) {
+    std::vector<std::size_t> way = search.find(neighbours, arrives, false);
+    if (!way.empty()) {
+      shorten(search, way);
+      std::vector<LatticePoint> path;
+      for (const std::size_t k : way) path.push_back(corners[k]);
+      if (path.back() != place || path.size() == 1) path.push_back(place);
       return path;
     }
     if (search.exhausted() || neighbours >= corners.size()) return std::nullopt;

@@ -41,9 +41,8 @@ bool Planner::exact_instead(Answer& answer, const Configuration& start, const Go
 
 // The exact decision is about the user's own ends.
 bool Planner::layer_answer(Query& query, const Configuration& start, const Goal& goal) {
-  const auto* const own = std::get_if<Configuration>(&goal);
-  if (!problem_.ablation.layers || own == nullptr || query.lifted) return false;
-  layer_ = decide_in_layer(problem_, start, *own);
+  if (!problem_.ablation.layers || query.lifted) return false;
+  layer_ = std::visit([&](const auto& own) { return decide_in_layer(problem_, start, own); }, goal);
   if (layer_ && !layer_->waypoints.empty())
     return conclude_path(query, layer_->waypoints, DecidedBy::kTautPath);
   if (layer_ && !layer_->chain.empty() && !problem_.rotation) {

@@ -51,6 +51,27 @@ std::optional<std::pair<Side, Int64>> side_beyond(const LatticeRectangle& r, con
   return farthest.second > 0 ? std::optional(farthest) : std::nullopt;
 }
 
+// Does no set of the chain meet the region? Then a curve in the sets does not, and as the region's
+// polygons are connected, it winds round all places of one as often.
+bool misses_region(const Layer& layer, const std::vector<ChainLink>& chain) {
+  const auto beyond = [&](const ChainLink side, const LatticePoint p) {
+    const LatticeRectangle& r = layer.domain;
+    return (side == link_of(Side::kLeft) && p.x < r.low.x) ||
+           (side == link_of(Side::kRight) && p.x > r.high.x) ||
+           (side == link_of(Side::kBelow) && p.y < r.low.y) ||
+           (side == link_of(Side::kAbove) && p.y > r.high.y);
+  };
+  for (const LatticePolygon& piece : layer.region)
+    for (const ChainLink link : chain) {
+      const bool meets = link < 0 ? std::any_of(
+                                        piece.begin(), piece.end(),
+                                        [&](const LatticePoint p) { return beyond(link, p); })
+                                  : overlap(layer.sums[static_cast<std::size_t>(link)], piece);
+      if (meets) return false;
+    }
+  return true;
+}
+
 }  // namespace
 
 std::optional<ExactPlacement> place_exactly(const ScaledProblem& problem, const Configuration& q) {
@@ -90,6 +111,31 @@ std::optional<LayerDecision> decide_in_layer(const ScaledProblem& problem,
     auto waypoints = on_way(layer->lattice, *path, start.theta);
     if (waypoints) decision.waypoints = std::move(*waypoints);
   }
+  decision.layer = std::move(*layer);
+  return decision;
+}
+
+std::optional<LayerDecision> decide_in_layer(const ScaledProblem& problem,
+                                             const Configuration& start, const GoalSet& goal) {
+  const std::optional<std::int64_t> quarters = quarters_of(start.theta);
+  const bool arrived =
+      !goal.angles || (goal.angles->low <= start.theta && start.theta <= goal.angles->high);
+  if (!quarters || (problem.rotation && !arrived)) return std::nullopt;
+  const Vec2 at{start.x, start.y};
+  std::optional<Layer> layer = make_layer(
+      problem, {within_turn(*quarters), at, at, 0.0, std::nullopt, &goal.polygons}, kLayerLimits);
+  std::vector<std::int32_t> scratch;
+  if (!layer || !is_free(*layer, layer->start, scratch)) return std::nullopt;
+  LayerDecision decision;
+  if (const auto way = find_way_into_region(*layer)) {
+    auto waypoints = on_way(layer->lattice, *way, start.theta);
+    if (waypoints) decision.waypoints = std::move(*waypoints);
+  } else if (const auto place = free_place_in_region(*layer)) {
+    layer->goal = *place;
+    auto chain = find_odd_chain(*layer);
+    if (chain && misses_region(*layer, *chain)) decision.chain = std::move(*chain);
+  }
+  if (decision.waypoints.empty() && decision.chain.empty()) return std::nullopt;
   decision.layer = std::move(*layer);
   return decision;
 }

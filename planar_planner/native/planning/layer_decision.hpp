@@ -28,6 +28,10 @@ struct LayerDecision {
 std::optional<LayerDecision> decide_in_layer(const ScaledProblem& problem,
                                              const Configuration& start, const Configuration& goal);
 
+// The same for a goal region. Besides: a chain is one that does not meet the region.
+std::optional<LayerDecision> decide_in_layer(const ScaledProblem& problem,
+                                             const Configuration& start, const GoalSet& goal);
+
 // Where exact arithmetic has a configuration at a quarter turn.
 struct ExactPlacement {
   Layer layer;                     // of what is near

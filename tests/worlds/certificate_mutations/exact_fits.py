@@ -65,9 +65,23 @@ def chain_round_a_turned_robot(scene: Json, certificate: Json) -> Mutant:
 def chain_round_a_region(scene: Json, certificate: Json) -> Mutant:
     if "chain" not in certificate:
         return None
-    x, y, _ = scene["goal"]
-    ring = [[x, y], [x + 0.01, y], [x, y + 0.01]]
+    """A region that reaches to the start's side of the chain."""
+    (x, y, _), (u, v, _) = scene["goal"], scene["start"]
+    a, b = [u + 0.01, v], [u, v + 0.01]
+    left = (a[0] - x) * (b[1] - y) > (a[1] - y) * (b[0] - x)
+    ring = [[x, y], *((a, b) if left else (b, a))]  # counter-clockwise from the goal on
     scene["goal"] = {"region": {"type": "Polygon", "coordinates": [ring]}}
+    return scene, signed(scene, certificate)
+
+
+@mutation
+def chain_round_one_of_two_regions(scene: Json, certificate: Json) -> Mutant:
+    """The other one is beside the start."""
+    if "chain" not in certificate:
+        return None
+    (x, y, _), (u, v, _) = scene["goal"], scene["start"]
+    rings = [[[[a, b], [a + 2.0**-12, b], [a, b + 2.0**-12]]] for a, b in ((x, y), (u, v))]
+    scene["goal"] = {"region": {"type": "MultiPolygon", "coordinates": rings}}
     return scene, signed(scene, certificate)
 
 

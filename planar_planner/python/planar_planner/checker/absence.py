@@ -23,7 +23,7 @@ from planar_planner.checker.arithmetic import (
     minus,
     quarter_turned,
 )
-from planar_planner.checker.case import Case, Pose
+from planar_planner.checker.case import Case
 from planar_planner.checker.collisions import check_full
 from planar_planner.checker.demands import demand, find
 from planar_planner.checker.extents import Extent
@@ -113,22 +113,28 @@ def check_chain(case: Case, proof: ChainProof) -> int:
 
     The closed polygon through a point of each overlap lies in the sets, because they are convex. It
     winds round one of start and goal an odd number of times, and round the other an even number.
+    Polygons of a goal region are connected: it does not meet them, and winds round all points of
+    one as often.
     """
     quarters = None if case.turning else case.start.angle.quarters
     if quarters is None:
         raise CertificateRejected(
             keys.CHAIN, "is about a robot that may not turn, at a quarter turn"
         )
-    if not isinstance(case.goal, Pose):
-        raise CertificateRejected(keys.CHAIN, "is about a goal that is a configuration")
     sets = [
         open_set(case, f"{keys.CHAIN}[{k}]", link, quarters) for k, link in enumerate(proof.chain)
     ]
     polygon = [
         common_point(f"{keys.CHAIN}[{k}]", a, b) for k, (a, b) in enumerate(cyclic_pairs(sets))
     ]
-    start, goal = case.start.translation, case.goal.translation
-    odd = winds_oddly(polygon, start) != winds_oddly(polygon, goal)
+    inside = winds_oddly(polygon, case.start.translation)
+    goal = case.goal
+    if isinstance(goal, GoalArea):
+        demand(not goal.meets_curve(polygon), keys.CHAIN, "may meet the goal region")
+        places = [area[0][0] for area in goal.polygons]
+    else:
+        places = [goal.translation]
+    odd = all(winds_oddly(polygon, place) != inside for place in places)
     demand(odd, keys.CHAIN, "does not separate start from goal")
     return len(sets)
 
