@@ -280,6 +280,7 @@ std::optional<std::vector<LatticePoint>> find_way_into_region(const Layer& layer
     if (!way.empty()) {
       shorten(search, way);
       std::vector<LatticePoint> path;
+      path.reserve(way.size() + 1);
       for (const std::size_t k : way) path.push_back(corners[k]);
       if (path.back() != place || path.size() == 1) path.push_back(place);
       return path;

@@ -82,11 +82,11 @@ std::optional<ExactPlacement> place_exactly(const ScaledProblem& problem, const 
       problem, {within_turn(*quarters), at, at, 0.0, robot_box(problem, q)}, kLayerLimits);
   if (!layer) return std::nullopt;
   ExactPlacement out;
-  out.overlap = deepest_overlap(*layer, layer->start);
-  if (out.overlap) {
-    out.depth = out.overlap->depth;
+  if (const auto overlap = deepest_overlap(*layer, layer->start)) {
+    out.in = static_cast<ChainLink>(overlap->sum);
+    out.depth = overlap->depth;
   } else if (const auto beyond = side_beyond(layer->domain, layer->start)) {
-    out.beyond = beyond->first;
+    out.in = link_of(beyond->first);
     out.depth = std::ldexp(static_cast<double>(beyond->second), layer->lattice.exponent);
   }
   out.layer = std::move(*layer);

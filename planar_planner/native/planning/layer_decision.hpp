@@ -34,12 +34,9 @@ std::optional<LayerDecision> decide_in_layer(const ScaledProblem& problem,
 
 // Where exact arithmetic has a configuration at a quarter turn.
 struct ExactPlacement {
-  Layer layer;                     // of what is near
-  std::optional<Overlap> overlap;  // with an obstacle
-  std::optional<Side> beyond;      // the side of the workspace that the robot is beyond
-  double depth = 0.0;              // of either, user's units
-
-  [[nodiscard]] bool free() const { return !overlap && !beyond; }
+  Layer layer;                  // of what is near
+  std::optional<ChainLink> in;  // a sum that holds it, or a side of the domain; empty: it is free
+  double depth = 0.0;           // how deep it is there, user's units
 };
 
 // Empty at other angles, or if the numbers near by share no lattice.

@@ -47,6 +47,7 @@ std::vector<Place> places_at(const ScaledProblem& problem, const Subdivision& su
     complete = false;
   }
   std::vector<Place> places;
+  places.reserve(leaves.size());
   for (const CellId leaf : leaves) places.push_back(place_in(problem, subdivision, leaf));
   return places;
 }
@@ -92,6 +93,7 @@ Gates find_gates(const ScaledProblem& problem, const Subdivision& subdivision,
     out.complete = out.complete && layer;
     if (!layer) continue;
     std::vector<LatticePoint> points;
+    points.reserve(places.size());
     for (const Place& place : places) points.push_back(to_lattice(layer->lattice, place.at));
     const auto components = components_of(*layer, points);
     out.complete = out.complete && components;

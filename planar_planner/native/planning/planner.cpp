@@ -372,12 +372,9 @@ Evidence Planner::evidence() {
     out.at_goal = last_.decided_by == DecidedBy::kGoal;
     const Configuration& q = out.at_goal ? std::get<Configuration>(last_.goal) : last_.start;
     const Placement p = place(problem_, *tree_, *labeller_, q);
-    if (p.state == PlacementState::kContact) {
-      const auto exact = place_exactly(problem_, q);
-      const ChainLink in = exact->overlap ? static_cast<ChainLink>(exact->overlap->sum)
-                                          : link_of(exact->beyond.value());
-      return end_evidence(exact->layer, in, out.at_goal);
-    }
+    if (p.state == PlacementState::kContact)  // which exact arithmetic has decided
+      if (const auto exact = place_exactly(problem_, q); exact && exact->in)
+        return end_evidence(exact->layer, *exact->in, out.at_goal);
     out.out_of_bounds = p.state == PlacementState::kOutside;
     out.witness = p.witness;
   }
@@ -426,14 +423,15 @@ Placement Planner::placement(const Configuration& q) {
   Placement out = place(problem_, *tree_, *labeller_, q);
   if (out.state != PlacementState::kContact || !problem_.ablation.layers) return out;
   const auto exact = place_exactly(problem_, q);
-  if (!exact || exact->free()) return out;
+  if (!exact || !exact->in) return out;
+  const ChainLink in = *exact->in;
   out.state = PlacementState::kColliding;
   out.exact = true;
   out.depth = exact->depth;
-  out.wall = exact->beyond.has_value();
+  out.wall = in < 0;
   out.obstacle = -1;
-  if (!exact->overlap) return out;
-  const OpenSum& sum = exact->layer.sums[exact->overlap->sum];
+  if (in < 0) return out;
+  const OpenSum& sum = exact->layer.sums[static_cast<std::size_t>(in)];
   const std::uint32_t polygon = exact->layer.obstacles[sum.obstacle_piece].polygon;
   out.robot_polygon = exact->layer.robot[sum.robot_piece].polygon;
   out.wall = polygon >= problem_.given.obstacles.size();
