@@ -94,7 +94,7 @@ def test_items_are_counted_before_anything_is_read(
 def test_numbers_of_any_size_are_rejected_or_unreadable(
     seed: int, exponent: int, jammed: dict[str, Any]
 ) -> None:
-    """A piece with a vertex that is not the robot's proves nothing, however small the difference."""
+    """A piece with a vertex that is not the robot's proves nothing, whatever its size."""
     random = Random(1000 * seed + exponent)
     forged = copy.deepcopy(jammed)
     polygon = random.choice(sorted(forged["robot_pieces"]))
