@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from attacks import certificate_numbers
 from planar_planner import CertificateError, Planner, solve, verify_certificate
 from planar_planner.checker import json_reader
 from planar_planner.checker.json_reader import MAX_MEMORY, MEMORY_OF, read_json
@@ -105,6 +106,12 @@ def test_numbers_of_any_size_are_rejected_or_unreadable(
     vertex[axis] = wrong
     with pytest.raises(CertificateError):
         verify_certificate("slot-jammed", forged)
+
+
+def test_numbers_replaced_anywhere_prove_nothing_false() -> None:
+    """A sample of the attack; both refusals occur in it, so that it reaches the checks."""
+    found = certificate_numbers.run(0, 25)
+    assert found["CertificateError"] and found["CertificateRejected"]
 
 
 def test_the_timeout_holds(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
