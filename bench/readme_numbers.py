@@ -1,8 +1,13 @@
-"""Put the last measurement of the targets into README.md: ``python bench/readme_numbers.py``."""
+"""Put the last measurement of the targets into README.md: ``python bench/readme_numbers.py``.
+
+Times are of the commit that was measured. Cells and answers do not depend on the machine: where
+bench/counts.json has the scene they are taken from there, and ``bench/checks`` compares the page.
+"""
 
 from __future__ import annotations
 
 import csv
+import json
 import re
 
 from lib.provenance import RESULTS, ROOT
@@ -10,6 +15,17 @@ from lib.provenance import RESULTS, ROOT
 Cells = dict[tuple[str, str], dict[str, str]]  # (what, quantity) → row
 SMALL = ("bug-trap", "piano", "slot", "corner", "comb", "snowflake")
 TWINS = {"bug-trap": "bug-trap-closed", "corner": "corner-too-long"}
+COUNTED = {  # a row of targets.csv and what bench/counts.json calls it
+    "gear": "gear",
+    "gear-jammed": "gear-jammed",
+    "corner -1e-06 off critical": "corner -1e-06",
+    "corner +1e-06 off critical": "corner +1e-06",
+    "maze": "maze",
+    "maze-blocked": "maze-blocked",
+    "field": "field",
+}
+COUNTED |= {name: name for name in SMALL}
+COUNTED |= {twin: twin for twin in (TWINS.get(name, f"{name}-jammed") for name in SMALL)}
 SECTION = re.compile(r"(<!-- numbers -->\n).*(<!-- end of numbers -->)", re.DOTALL)
 
 
@@ -31,13 +47,21 @@ def short(value: float) -> str:
     return f"{value:.0f}" if value >= 10 else f"{value:.2g}"
 
 
+def cells_of(cells: Cells, what: str) -> str:
+    """Return today's number of cells, or else the one that was measured, which says so."""
+    if what in COUNTED:
+        counts = json.loads((ROOT / "bench" / "counts.json").read_text(encoding="utf-8"))
+        return f"{counts['scenes'][COUNTED[what]]['cells']:,}"
+    found = re.search(r"([\d,]+) cells", cells[what, "core time"]["note"])
+    return f"{found[1]} at that commit" if found else ""
+
+
 def line(cells: Cells, name: str, answer: str, what: str) -> str:
     """Return a row of the table: scene, answer, median with quartiles, cells."""
     row = cells[what, "core time"]
     lower, upper = (short(float(value)) for value in row["quartiles"].split())
-    found = re.search(r"([\d,]+) cells", row["note"])
     time = f"{short(float(row['value']))} ms ({lower}–{upper})"
-    return f"| {name} | {answer} | {time} | {found[1] if found else ''} |"
+    return f"| {name} | {answer} | {time} | {cells_of(cells, what)} |"
 
 
 def table(cells: Cells) -> list[str]:
@@ -107,7 +131,9 @@ def section(facts: dict[str, str], cells: Cells) -> str:
     paragraphs = [
         "Time in the core on one core: everything after the file has been read and checked. "
         f"Commit {facts['commit']}, {facts['machine']}, {facts['compiler']}, "
-        f"{facts['measured']}; `python bench/targets.py` measures them again.",
+        f"{facts['measured']}; `python bench/targets.py` measures them again. "
+        "Cells are those of the present program (`bench/counts.json`) unless the row says "
+        "otherwise; a path that is found at the first try takes none.",
         "\n".join(table(cells)),
         other(cells),
     ]

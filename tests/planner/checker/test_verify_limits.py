@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import copy
 import gzip
 import json
 import time
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import pytest
 
+from attacks import certificate_numbers
 from planar_planner import CertificateError, Planner, solve, verify_certificate
+from planar_planner.checker import json_reader
 from planar_planner.checker.json_reader import MAX_MEMORY, MEMORY_OF, read_json
 from planar_planner.cli.main import main
 from planar_planner.errors import CertificateRejected, OptionsError, VerificationTimeoutError
@@ -69,6 +73,45 @@ def test_memory_is_counted_before_anything_is_read(item: str, tmp_path: Path) ->
     with pytest.raises(CertificateError, match="too large"):
         read_json(file)
     assert time.process_time() - began < 5.0
+
+
+@pytest.mark.parametrize(("most", "read"), [(3, True), (2, False)])
+def test_items_are_counted_before_anything_is_read(
+    most: int, read: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(json_reader, "MAX_ITEMS", most)
+    file = tmp_path / "items.json"
+    file.write_text("[1, 2, 3, 4]")
+    if read:
+        assert read_json(file) == [1, 2, 3, 4]
+        return
+    file.write_text("[1, 2, 3, not JSON")
+    with pytest.raises(CertificateError, match="too large"):
+        read_json(file)
+
+
+@pytest.mark.parametrize("exponent", [-324, -308, -260, -30, 0, 30, 100, 308])
+@pytest.mark.parametrize("seed", range(4))
+def test_numbers_of_any_size_are_rejected_or_unreadable(
+    seed: int, exponent: int, jammed: dict[str, Any]
+) -> None:
+    """A piece with a vertex that is not the robot's proves nothing, whatever its size."""
+    random = Random(1000 * seed + exponent)
+    forged = copy.deepcopy(jammed)
+    polygon = random.choice(sorted(forged["robot_pieces"]))
+    vertex = random.choice(random.choice(forged["robot_pieces"][polygon]))
+    axis = random.randrange(2)
+    wrong = random.choice((-1, 1)) * float(f"{random.uniform(1, 1.7)}e{exponent}")
+    assert vertex[axis] != wrong
+    vertex[axis] = wrong
+    with pytest.raises(CertificateError):
+        verify_certificate("slot-jammed", forged)
+
+
+def test_numbers_replaced_anywhere_prove_nothing_false() -> None:
+    """A sample of the attack; both refusals occur in it, so that it reaches the checks."""
+    found = certificate_numbers.run(0, 25)
+    assert found["CertificateError"] and found["CertificateRejected"]
 
 
 def test_the_timeout_holds(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

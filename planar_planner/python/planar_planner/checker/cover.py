@@ -49,12 +49,15 @@ def check_cover(separation: Separation, deadline: Deadline = NO_DEADLINE) -> Non
     needs: dict[Side, set[Rectangle]] = defaultdict(set)
     covers: dict[Side, set[Rectangle]] = defaultdict(set)
     for side, rectangle in chain.from_iterable(map(faces_of, separation.start_side)):
+        deadline.check()
         needs[side].add(rectangle)
         covers[side.other()].add(rectangle)
     for claim in separation.full:
+        deadline.check()
         for side, rectangle in faces_of(claim.box):
             covers[side.other()].add(rectangle)
     for claim in separation.full_faces:
+        deadline.check()
         for side, rectangle in faces_of(claim.box):
             if side.axis == claim.axis and side.end == LOW_END:  # its plane
                 covers[side].add(rectangle)

@@ -23,6 +23,8 @@ MAX_BYTES = 2**28
 """Bytes of a certificate, uncompressed."""
 MAX_MEMORY = 2**30
 """Bytes that a certificate's values may take, by the estimate of `MEMORY_OF`."""
+MAX_ITEMS = 10**7
+"""Commas of a certificate; reading ends before a time limit is looked at, so it has to be short."""
 MEMORY_OF = {b"[": 110, b"{": 300, b",": 40, b":": 250}
 """Bytes that a list, an object, an item and a field take once they are read; measured on CPython
 3.11, where the empty list takes 56, the tuple made of it 48, a dict 232, a field's key and entry
@@ -59,6 +61,8 @@ def _text(path: Path) -> bytes:
         file.seek(0)
         text: bytes = (gzip.GzipFile(fileobj=file) if zipped else file).read(MAX_BYTES + 1)
     if len(text) > MAX_BYTES:
+        raise ValueError("is too large")
+    if text.count(b",") > MAX_ITEMS:
         raise ValueError("is too large")
     if sum(size * text.count(sign) for sign, size in MEMORY_OF.items()) > MAX_MEMORY:
         raise ValueError("is too large")
