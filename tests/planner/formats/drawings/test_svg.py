@@ -180,3 +180,13 @@ def test_features_smaller_than_the_tolerance_are_refused(tmp_path: Path) -> None
     with pytest.raises(SceneError, match="tolerance"):
         read(tmp_path / "d.svg", near, tolerance=0.5)
     assert len(read(tmp_path / "d.svg", near, tolerance=0.01).obstacles) == 1
+
+
+def test_what_has_no_name_at_all_fits_the_pattern_for_any(tmp_path: Path) -> None:
+    nameless = '<rect x="40" width="3" height="2"/><g><rect x="50" width="3" height="2"/></g>'
+    text = svg(BOX, ENDS, nameless)
+    known = tuple((f"{role}*", role) for role in ("robot", "start", "goal"))
+    scene = read(tmp_path / "d.svg", text, roles=(*known, ("*", "obstacle")))
+    assert sorted(shape(scene, k).bounds[0] for k in range(2)) == [40, 50]
+    with pytest.raises(SceneError, match="no obstacles"):
+        read(tmp_path / "d.svg", text, roles=(("wall*", "obstacle"),))
