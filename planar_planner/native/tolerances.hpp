@@ -24,6 +24,12 @@ inline constexpr double kGuardErrorFactor = 1.5;
 // is less than 1.75 separation errors.
 inline constexpr double kJointErrorFactor = 1.75;
 
+// What the error bounds leave unused, in units of u times the domain's reach: of a separating-axis
+// function 64 - 51, of a guard condition 96 - 84, of a weighted sum 112 - 97.
+inline constexpr double kUnusedErrorUnits = 12.0;
+// By how much robot, obstacle and end together move where each coordinate moves by 1: 3 sqrt(2).
+inline constexpr double kMovedByCoordinates = 5.0;
+
 // Radius of a disc about the robot's origin inside a piece, from its edges' offsets: 6 u of the
 // largest |a|, and the subtraction.
 inline constexpr double kInnerReachUnits = 8.0 * PDG_MARGIN_SCALE;
@@ -52,6 +58,10 @@ inline constexpr double kArcUnits = 16.0 * PDG_MARGIN_SCALE;
 // Relative slack of the discs that stand for a nearly round robot, in u: libm's cos (2), product
 // and radii (3).
 inline constexpr double kDiscUnits = 16.0;
+
+// A vertex of the robot turned by quarter turns and moved, in u times the largest coordinate: the
+// sum 2, the slack's own rounding 1.
+inline constexpr double kRobotBoxUnits = 4.0;
 
 // Pairs whose circles are this far apart (planner units) do not touch: far more than rounding, so
 // that every pair that may touch is looked at, and no looser bound depends on it.

@@ -12,6 +12,7 @@ import pytest
 
 from oracles.decisive import FOLDER, QUICK, SLOW, listed, proves
 from oracles.grid import decide, flood, free_cells, make_grid
+from oracles.rectilinear import is_joined
 from oracles.scene_shapes import shapes
 from scenarios import corner, escape, gear, maze
 
@@ -35,7 +36,18 @@ def test_every_scene_is_proved_somewhere() -> None:
     analytic = {"corner", "corner-too-long", "cage", "cage-open"}
     by_planner = {"gear", "gear-tight"}  # too tight for a uniform grid: their paths are checked
     by_planner |= {"disassembly", "disassembly-jammed", "piano-anywhere"}  # and certificates
-    assert set(QUICK) | set(SLOW) | analytic | by_planner == set(listed())
+    by_planner |= {"peg", "peg-jammed", "locked", "unlocked"}
+    assert set(QUICK) | set(SLOW) | analytic | by_planner | set(EXACT) == set(listed())
+
+
+EXACT = ("exact-maze", "exact-maze-ulp", "sliding-block", "sliding-block-ulp")
+
+
+@pytest.mark.parametrize("name", EXACT)
+def test_a_flood_fill_of_coordinates_proves_exact_fits(name: str) -> None:
+    entry = listed()[name]
+    scene = json.loads((FOLDER / entry["file"]).read_text(encoding="utf-8"))
+    assert is_joined(scene) is (entry["expected"] == "path")
 
 
 def test_cages_lie_on_either_side_of_the_critical_mouth() -> None:

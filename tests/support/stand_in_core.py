@@ -12,6 +12,7 @@ from planar_planner import _core
 
 FREE = {
     "state": "free",
+    "exact": False,
     "what": "",
     "polygon": -1,
     "piece": 0,
@@ -61,6 +62,9 @@ class FakeCore:
     def placement(self, q: tuple[float, float, float]) -> dict[str, Any]:
         return type(self).placements(q)
 
+    def tolerated_error(self) -> float:
+        return float("inf")
+
     def solve(self, start: Any, goal: Any, *limits: Any) -> dict[str, Any]:
         type(self).solved.append((start, goal, *limits))
         type(self).during_solve(limits[-1])
@@ -70,6 +74,7 @@ class FakeCore:
             "stop_reason": _core.StopReason.MAX_CELLS if self.verdict == "undecided" else None,
             "ends_moved": False,
             "to_be_checked": False,
+            "exact_legs": False,
             "path": path,
             "stats": STATS.replace(decided_by=DECIDED_BY[self.verdict]),
         }

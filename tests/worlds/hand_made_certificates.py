@@ -277,6 +277,68 @@ def fixed_exact_gate() -> tuple[Json, Json]:
     return exact_gate(rotation=False)
 
 
+BAR = rectangle(-0.5, -1, 0.5, 1)
+"""As wide as the square, and twice as high; at a quarter turn it is as high as the square."""
+
+
+def turned_gate() -> tuple[Json, Json]:
+    """Through the gate with the bar, which fits at a quarter turn only."""
+    below, above = rectangle(4, 0, 6, 0.5), rectangle(4, 1.5, 6, 4)
+    scene = _scene(BAR, [below, above], start=[2, 1, pi / 2], goal=[8, 1, 5 * pi / 2])
+    return _certificate(
+        scene,
+        BAR,
+        {"0": [below], "1": [above]},
+        verdict="path",
+        contact_tolerance=0.0,
+        waypoints=[[2, 1, pi / 2, 0], [8, 1, pi / 2, 0]],
+        # The bar's right side, edge 1, is above it then.
+        segments=[[_interval(0, 1, [0, 0, 0, 0, "obstacle", 2], [0, 0, 1, 0, "robot", 1])]],
+    )
+
+
+def turned_chain() -> tuple[Json, Json]:
+    """The bar at three quarter turns, which may not turn, between walls it just does not pass."""
+    below, above = rectangle(4, 0, 6, 0.5), rectangle(4, 1.5 - 2**-30, 6, 4)
+    ends = {"start": [2, 1, 3 * pi / 2], "goal": [8, 1, 3 * pi / 2]}
+    scene = _scene(BAR, [below, above], rotation=False, **ends)
+    chain = _chain(CEILING, {"pair": [0, 0, 1, 0]}, {"pair": PAIR}, FLOOR, LEFT_SIDE)
+    return _certificate(scene, BAR, {"0": [below], "1": [above]}, **chain)
+
+
+def decimal_gate() -> tuple[Json, Json]:
+    """A gate of 0.1 for a square of 0.1: in doubles, 0.3 + 0.1 is more than 0.4."""
+    square = rectangle(0, 0, 0.1, 0.1)
+    below, above = rectangle(0.4, 0, 0.6, 0.3), rectangle(0.4, 0.4, 0.6, 0.9)
+    ends = {"start": [0.1, 0.3, 0], "goal": [0.8, 0.3, 0]}
+    scene = _scene(square, [below, above], workspace={"box": [0, 0, 1, 0.9]}, **ends)
+    return _certificate(
+        scene,
+        rectangle(0, 0, 1, 1),
+        {"0": [rectangle(4, 0, 6, 3)], "1": [rectangle(4, 4, 6, 9)]},
+        decimal_places=1,
+        verdict="path",
+        contact_tolerance=0.0,
+        waypoints=[[1, 3, 0, 0], [8, 3, 0, 0]],
+        segments=[[_interval(0, 1, [0, 0, 0, 0, "obstacle", 2], [0, 0, 1, 0, "robot", 2])]],
+    )
+
+
+def decimal_chain() -> tuple[Json, Json]:
+    """The same for a square of 0.101 that may not turn, which does not pass."""
+    square = rectangle(0, 0, 0.101, 0.101)
+    below, above = rectangle(0.4, 0, 0.6, 0.3), rectangle(0.4, 0.4, 0.6, 0.9)
+    ends = {"start": [0.1, 0.3, 0], "goal": [0.8, 0.3, 0], "rotation": False}
+    scene = _scene(square, [below, above], workspace={"box": [0, 0, 1, 0.9]}, **ends)
+    return _certificate(
+        scene,
+        rectangle(0, 0, 101, 101),
+        {"0": [rectangle(400, 0, 600, 300)], "1": [rectangle(400, 400, 600, 900)]},
+        decimal_places=3,
+        **_chain(CEILING, {"pair": [0, 0, 1, 0]}, {"pair": PAIR}, FLOOR, LEFT_SIDE),
+    )
+
+
 HAND_MADE = {
     make.__name__: make
     for make in (
@@ -295,6 +357,10 @@ HAND_MADE = {
         bounded_chain,
         exact_gate,
         fixed_exact_gate,
+        turned_gate,
+        turned_chain,
+        decimal_gate,
+        decimal_chain,
     )
 }
 

@@ -139,7 +139,6 @@ NamedInterval interval_of(const Evidence& e, const planner::ProvenInterval& prov
 }
 
 void add_path(const Evidence& e, NamedEvidence& out) {
-  out.exact_after = static_cast<std::uint32_t>(e.exact_after);
   for (const planner::Configuration& q : e.waypoints) out.waypoints.push_back({q.x, q.y, q.theta});
   for (const std::vector<planner::ProvenInterval>& segment : e.segments) {
     std::vector<NamedInterval>& intervals = out.segments.emplace_back();
@@ -282,7 +281,6 @@ void add_evidence(nb::module_& m) {
       .def_ro("outside", &NamedEvidence::outside)
       .def_ro("waypoints", &NamedEvidence::waypoints)
       .def_ro("segments", &NamedEvidence::segments)
-      .def_ro("exact_after", &NamedEvidence::exact_after)
       .def_ro("domain", &NamedEvidence::domain)
       .def_ro("start_side", &NamedEvidence::start_side)
       .def_ro("full", &NamedEvidence::full)

@@ -99,7 +99,6 @@ struct NamedEvidence {
   // kPath
   std::vector<std::array<double, 3>> waypoints;
   std::vector<std::vector<NamedInterval>> segments;
-  std::uint32_t exact_after = 0;  // segments at the end that are exact translations
   // kSeparation, kDisc
   NamedDomain domain;
   std::vector<Box> start_side;

@@ -131,6 +131,7 @@ nb::dict placement_dict(const planner::Placement& p) {
   out["what"] = what;
   out["polygon"] = p.obstacle;
   out["piece"] = p.robot_polygon;
+  out["exact"] = p.exact;
   out["depth"] = p.depth;
   out["separation"] = p.clearance;
   return out;
@@ -194,6 +195,7 @@ nb::dict solve(planner::Planner& planner, const std::array<double, 3>& start,
   out["stop_reason"] = answer.stop_reason;
   out["ends_moved"] = answer.ends_moved;
   out["to_be_checked"] = answer.to_be_checked;
+  out["exact_legs"] = !answer.exact.empty();
   out["path"] = path_array(answer.path.waypoints);
   out["stats"] = answer.statistics;
   return out;
@@ -234,6 +236,7 @@ NB_MODULE(_core, m) {
           nb::arg("robot"), nb::arg("obstacles"), nb::arg("workspace_box").none(),
           nb::arg("workspace").none(), nb::arg("reference_bounds").none(), nb::arg("rotation"),
           nb::arg("without") = std::vector<std::string>{}, nb::arg("query") = "per-normal")
+      .def("tolerated_error", &planner::Planner::tolerated_error)
       .def(
           "placement",
           [](planner::Planner& self, const std::array<double, 3>& q) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "pdg/native/tolerances.hpp"
+#include "quarter_turn.hpp"
 
 namespace planner {
 
@@ -103,7 +104,7 @@ pdg::Rotation rotation_of_turns(const std::uint64_t turns) {
 }
 
 pdg::Rotation rotation_of(const CellSpace& space, const Extent& e) {
-  if (!space.rotation) return {std::cos(space.fixed_theta), std::sin(space.fixed_theta)};
+  if (!space.rotation) return rotation_at(space.fixed_theta);
   return rotation_of_turns(e.low[kTheta] + e.size[kTheta] / 2);
 }
 

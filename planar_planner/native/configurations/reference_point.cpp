@@ -9,6 +9,7 @@
 #include "pdg/native/geometry/enclosing_circle.hpp"
 #include "pdg/native/geometry/motion.hpp"
 #include "planar_planner/native/tolerances.hpp"
+#include "quarter_turn.hpp"
 #include "tuning.hpp"
 
 namespace planner {
@@ -87,7 +88,7 @@ PolygonSet about_point(const PolygonSet& robot, const Vec2 point) {
 }
 
 Configuration placed(const Vec2 point, const Configuration& q) {
-  const Vec2 turned = pdg::rotate({std::cos(q.theta), std::sin(q.theta)}, point);
+  const Vec2 turned = pdg::rotate(rotation_at(q.theta), point);
   return {q.x + turned.x, q.y + turned.y, q.theta};
 }
 

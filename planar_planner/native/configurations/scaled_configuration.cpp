@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dyadic_box.hpp"
+#include "quarter_turn.hpp"
 
 namespace planner {
 
@@ -31,14 +32,10 @@ std::array<std::uint64_t, 3> dyadic_point(const ScaledProblem& problem, const Co
         kUnit - 1);
   };
   // The library's reduction keeps a few u of a turn whatever theta's magnitude.
-  const double turn = std::atan2(std::sin(q.theta), std::cos(q.theta)) / (2.0 * std::numbers::pi);
+  const pdg::Rotation r = rotation_at(q.theta);
+  const double turn = std::atan2(r.sin, r.cos) / (2.0 * std::numbers::pi);
   return {count((t.x - d.low.x) / d.size.x), count((t.y - d.low.y) / d.size.y),
           problem.rotation ? count(turn - std::floor(turn)) : 0};
-}
-
-double nearest_turn(const double angle, const double theta) {
-  constexpr double turn = 2.0 * std::numbers::pi;
-  return angle + turn * std::round((theta - angle) / turn);
 }
 
 }  // namespace planner

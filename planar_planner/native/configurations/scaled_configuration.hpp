@@ -28,7 +28,4 @@ std::array<std::uint64_t, 3> dyadic_point(const ScaledProblem& problem, const Co
 // result is cut off to a unit; 16 u = 2^11 units, doubled.
 inline constexpr std::uint64_t kDyadicSlack = std::uint64_t{1} << 12U;
 
-// `angle` plus the whole turns that bring it nearest to `theta`.
-double nearest_turn(double angle, double theta);
-
 }  // namespace planner

@@ -49,8 +49,13 @@ bool collect_segments(const ScaledProblem& problem, ObstacleTree& tree, const do
                       Evidence& evidence) {
   evidence.segments.clear();
   SeparatingEdges edges(problem, tree, share);
-  const std::size_t end = evidence.waypoints.size() - evidence.exact_after;
-  for (std::size_t i = evidence.exact_before; i + 1 < end; ++i) {
+  auto run = evidence.exact.begin();
+  for (std::size_t i = 0; i + 1 < evidence.waypoints.size(); ++i) {
+    if (run != evidence.exact.end() && i == run->last) ++run;
+    if (run != evidence.exact.end() && i >= run->first) {
+      evidence.segments.emplace_back();
+      continue;
+    }
     const ScaledConfiguration from = scaled(problem, evidence.waypoints[i]);
     const ScaledConfiguration to = scaled(problem, evidence.waypoints[i + 1]);
     auto proof = edges.prove(from, to);

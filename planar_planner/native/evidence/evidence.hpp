@@ -37,8 +37,7 @@ struct Evidence {
   ClaimKind kind = ClaimKind::kNone;
   std::vector<Configuration> waypoints;  // kPath: without legs into contact
   std::vector<std::vector<ProvenInterval>> segments;
-  std::size_t exact_before = 0;  // segments at the beginning and the end that are proven exactly,
-  std::size_t exact_after = 0;   // by layer_evidence
+  std::vector<ExactRun> exact;  // whose segments are proven exactly, by layer_evidence
   Barrier barrier;
   std::vector<ChainedSet> chain;  // each overlaps the next, the last one the first
   bool at_goal = false;           // kEnd: the goal is not free; else the start

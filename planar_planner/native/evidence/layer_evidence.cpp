@@ -90,33 +90,44 @@ Evidence path_evidence(const ScaledProblem& problem, const Layer& layer,
   return evidence;
 }
 
-void add_exact_segments(const Layer& layer, Evidence& evidence) {
-  const std::size_t robots = evidence.robot_names.size();
-  const std::size_t obstacles = evidence.obstacle_names.size();
-  name_pieces(layer, evidence);
+void prove_exact_legs(const std::span<const Layer> layers, Evidence& evidence) {
   std::vector<std::int32_t> near;
-  const auto proven = [&](const std::size_t i) {
-    const auto at = [&](const Configuration& q) {
+  for (const ExactRun& run : evidence.exact) {
+    const Layer& layer = layers[run.layer];
+    const std::size_t robots = evidence.robot_names.size();
+    const std::size_t obstacles = evidence.obstacle_names.size();
+    name_pieces(layer, evidence);
+    const auto at = [&](const std::size_t i) {
+      const Configuration& q = evidence.waypoints[i];
       return to_lattice(layer.lattice, Vec2{q.x, q.y});
     };
-    ProvenInterval out =
-        prove(layer, {at(evidence.waypoints[i]), at(evidence.waypoints[i + 1])}, near);
     const auto rename = [&](auto& pair) {
       pair.robot = static_cast<std::uint16_t>(pair.robot + robots);
       pair.obstacle += static_cast<std::uint32_t>(obstacles);
     };
-    for (SeparatingEdge& edge : out.edges) rename(edge);
-    for (SeparatingLine& line : out.lines) rename(line);
-    return std::vector{std::move(out)};
-  };
-  std::vector<std::vector<ProvenInterval>> segments;
-  segments.reserve(evidence.waypoints.size());
-  for (std::size_t i = 0; i < evidence.exact_before; ++i) segments.push_back(proven(i));
-  for (std::vector<ProvenInterval>& middle : evidence.segments)
-    segments.push_back(std::move(middle));
-  for (std::size_t i = segments.size(); i + 1 < evidence.waypoints.size(); ++i)
-    segments.push_back(proven(i));
-  evidence.segments = std::move(segments);
+    for (std::size_t i = run.first; i < run.last; ++i) {
+      ProvenInterval proven = prove(layer, {at(i), at(i + 1)}, near);
+      for (SeparatingEdge& edge : proven.edges) rename(edge);
+      for (SeparatingLine& line : proven.lines) rename(line);
+      evidence.segments[i] = {std::move(proven)};
+    }
+  }
+}
+
+Evidence end_evidence(const Layer& layer, const ChainLink in, const bool at_goal) {
+  Evidence evidence;
+  evidence.kind = ClaimKind::kEnd;
+  evidence.at_goal = at_goal;
+  name_pieces(layer, evidence);
+  if (in < 0) {
+    evidence.witness = {static_cast<std::uint32_t>(evidence.obstacle_names.size()), 0};
+    evidence.obstacle_names.push_back({kWall, static_cast<std::uint32_t>(-1 - in)});
+    return evidence;
+  }
+  const OpenSum& sum = layer.sums[static_cast<std::size_t>(in)];
+  evidence.witness = {sum.obstacle_piece, static_cast<std::uint16_t>(sum.robot_piece)};
+  evidence.polygons = {layer.obstacles[sum.obstacle_piece].polygon};
+  return evidence;
 }
 
 Evidence chain_evidence(const Layer& layer, const std::vector<ChainLink>& chain) {

@@ -1,6 +1,8 @@
 // The evidence of an exact decision at one orientation (docs/certificate.md, "path", "odd_chain").
 #pragma once
 
+#include <span>
+
 #include "evidence.hpp"
 #include "planar_planner/native/layers/layer.hpp"
 #include "planar_planner/native/layers/odd_chain.hpp"
@@ -12,9 +14,10 @@ namespace planner {
 // separates them.
 Evidence path_evidence(const ScaledProblem& problem, const Layer& layer,
                        const std::vector<Configuration>& waypoints);
-// Adds the exact segments before and after those that `evidence` has, and the layer's pieces to its
-// names; its waypoints are those of the whole path.
-void add_exact_segments(const Layer& layer, Evidence& evidence);
+// Proves the segments of the path's exact legs, and adds the layers' pieces to the names.
+void prove_exact_legs(std::span<const Layer> layers, Evidence& evidence);
+// An end that is not free: it is in one of the layer's sums, or beyond one of the domain's sides.
+Evidence end_evidence(const Layer& layer, ChainLink in, bool at_goal);
 Evidence chain_evidence(const Layer& layer, const std::vector<ChainLink>& chain);
 
 }  // namespace planner

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "planar_planner/native/cells/adjacency.hpp"
+#include "planar_planner/native/configurations/quarter_turn.hpp"
 #include "planar_planner/native/configurations/scaled_configuration.hpp"
 
 namespace planner {

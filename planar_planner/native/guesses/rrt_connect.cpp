@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "planar_planner/native/configurations/quarter_turn.hpp"
 #include "tuning.hpp"
 
 namespace planner {

@@ -18,10 +18,16 @@ struct GivenPiece {
   pdg::ConvexPolygon vertices;
 };
 
+bool meet(const Rectangle& a, const Rectangle& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
 template <class Polygons>  // PolygonSet or Obstacles
-std::vector<GivenPiece> partition(const Polygons& polygons) {
+std::vector<GivenPiece> partition(const Polygons& polygons,
+                                  const std::optional<Rectangle>& near = std::nullopt) {
   std::vector<GivenPiece> out;
   for (std::size_t i = 0; i < polygons.size(); ++i) {
+    if (near && !meet(*near, polygons.bounds(i))) continue;
     std::uint32_t index = 0;
     for (pdg::ConvexPolygon& piece : planner_pieces(polygons.polygon(i)))
       out.push_back({static_cast<std::uint32_t>(i), index++, std::move(piece)});
@@ -110,9 +116,10 @@ bool is_within(const std::vector<GivenPiece>& robot, const std::vector<GivenPiec
 
 std::optional<Lattice> lattice_of(const Problem& problem, const LayerQuery& query,
                                   const std::vector<GivenPiece>& robot,
-                                  const std::vector<GivenPiece>& obstacles) {
+                                  const std::vector<GivenPiece>& obstacles,
+                                  const std::vector<GivenPiece>& region) {
   std::vector<double> values;
-  for (const std::vector<GivenPiece>* const pieces : {&robot, &obstacles})
+  for (const std::vector<GivenPiece>* const pieces : {&robot, &obstacles, &region})
     for (const GivenPiece& piece : *pieces)
       for (const Vec2 p : piece.vertices) append(values, p);
   append(values, body_box(problem));
@@ -141,9 +148,11 @@ void add_sums(Layer& layer) {
 std::optional<Layer> make_layer(const ScaledProblem& problem, const LayerQuery& query,
                                 const LayerLimits& limits) {
   const std::vector<GivenPiece> robot = partition(problem.given.robot);
-  const std::vector<GivenPiece> obstacles = partition(all_obstacles(problem));
+  const std::vector<GivenPiece> obstacles = partition(all_obstacles(problem), query.near);
   if (!is_within(robot, obstacles, limits)) return std::nullopt;
-  const std::optional<Lattice> lattice = lattice_of(problem.given, query, robot, obstacles);
+  const std::vector<GivenPiece> region =
+      query.region == nullptr ? std::vector<GivenPiece>{} : partition(*query.region);
+  const std::optional<Lattice> lattice = lattice_of(problem.given, query, robot, obstacles, region);
   if (!lattice) return std::nullopt;
   Layer layer;
   layer.lattice = *lattice;
@@ -153,8 +162,37 @@ std::optional<Layer> make_layer(const ScaledProblem& problem, const LayerQuery& 
       make_domain(*lattice, body_box(problem.given), problem.given.reference_bounds, layer.robot);
   layer.start = to_lattice(*lattice, query.start);
   layer.goal = to_lattice(*lattice, query.goal);
+  for (LayerPiece& piece : on_lattice(*lattice, region, 0))
+    layer.region.push_back(std::move(piece.vertices));
   add_sums(layer);
   return layer;
+}
+
+std::optional<Overlap> deepest_overlap(const Layer& layer, const LatticePoint p) {
+  std::optional<Overlap> deepest;
+  for (std::size_t i = 0; i < layer.sums.size(); ++i) {
+    const std::vector<LatticePoint>& ring = layer.sums[i].vertices;
+    if (!contains(layer.sums[i], p)) continue;
+    double depth = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const LatticePoint a = ring[k];
+      const LatticePoint b = ring[(k + 1) % ring.size()];
+      const double length =
+          std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y));
+      depth = std::min(depth, static_cast<double>(orientation(a, b, p)) / length);
+    }
+    depth = std::ldexp(depth, layer.lattice.exponent);
+    if (!deepest || depth > deepest->depth) deepest = Overlap{i, depth};
+  }
+  return deepest;
+}
+
+bool in_region(const Layer& layer, const LatticePoint p) {
+  return std::any_of(layer.region.begin(), layer.region.end(), [&](const LatticePolygon& piece) {
+    for (std::size_t k = 0; k < piece.size(); ++k)
+      if (orientation(piece[k], piece[(k + 1) % piece.size()], p) < 0) return false;
+    return true;
+  });
 }
 
 void find_near(const Layer& layer, const LatticePoint a, const LatticePoint b,

@@ -35,6 +35,7 @@ struct Layer {
   std::vector<OpenSum> sums;
   pdg::BoxTree tree;  // of the sums' boxes, rounded outwards
   LatticePoint start, goal;
+  std::vector<LatticePolygon> region;  // convex pieces of a goal region; none: `goal` is the goal
 };
 
 // Quarter turns of the robot: theta = quarters * pi / 2.
@@ -42,6 +43,9 @@ struct LayerQuery {
   int quarters = 0;
   Vec2 start, goal;     // the reference point, user's units
   double finest = 0.0;  // a length that the lattice has to hold besides; user's units
+  // Obstacles that do not come near it are left out; user's units.
+  std::optional<Rectangle> near = std::nullopt;
+  const PolygonSet* region = nullptr;  // world frame; null: the goal is a point
 };
 
 // Limits on the size of a layer, by count.
@@ -53,6 +57,17 @@ struct LayerLimits {
 // Empty if the scene's numbers share no lattice (kLatticeBits) or the layer exceeds the limits.
 std::optional<Layer> make_layer(const ScaledProblem& problem, const LayerQuery& query,
                                 const LayerLimits& limits);
+
+// The sum that a point is deepest in, and the distance to its nearest side in the user's unit;
+// empty if it is in none.
+struct Overlap {
+  std::size_t sum;
+  double depth;
+};
+std::optional<Overlap> deepest_overlap(const Layer& layer, LatticePoint p);
+
+// Is the point in the closed goal region?
+bool in_region(const Layer& layer, LatticePoint p);
 
 // Sums whose boxes come near the rectangle spanned by a and b, in the order of the tree.
 void find_near(const Layer& layer, LatticePoint a, LatticePoint b,

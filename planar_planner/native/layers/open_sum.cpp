@@ -153,6 +153,10 @@ bool meets_segment(const OpenSum& sum, const LatticePoint a, const LatticePoint 
   return !edge_separates(sum.vertices, LatticePolygon{a, b});
 }
 
+bool overlap(const OpenSum& sum, const LatticePolygon& polygon) {
+  return !edge_separates(sum.vertices, polygon) && !edge_separates(polygon, sum.vertices);
+}
+
 bool overlap(const OpenSum& a, const OpenSum& b) {
   if (a.high.x <= b.low.x || b.high.x <= a.low.x || a.high.y <= b.low.y || b.high.y <= a.low.y)
     return false;

@@ -28,6 +28,8 @@ bool contains(const OpenSum& sum, LatticePoint p);
 // Does the closed segment from a to b meet the open sum?
 bool meets_segment(const OpenSum& sum, LatticePoint a, LatticePoint b);
 bool overlap(const OpenSum& a, const OpenSum& b);
+// Has the open sum a common point with a closed convex polygon?
+bool overlap(const OpenSum& sum, const LatticePolygon& polygon);
 // Have the two open sets a common point whose abscissa exceeds x?
 bool overlap_right_of(const OpenSum& a, const OpenSum& b, Int64 x);
 

@@ -21,27 +21,55 @@ constexpr std::array<LatticePoint, 8> kCompass = {
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
 double distance(const LatticePoint a, const LatticePoint b) {
-  return std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y));
+  const auto x = static_cast<double>(a.x - b.x);
+  const auto y = static_cast<double>(a.y - b.y);
+  return std::sqrt(x * x + y * y);
 }
 
 // The doubles round a corner: itself if it is one.
 void append_doubles(std::vector<LatticePoint>& out, const LatticePoint p) {
-  for (const Int64 x : {double_below(p.x), double_above(p.x)})
-    for (const Int64 y : {double_below(p.y), double_above(p.y)}) out.push_back({x, y});
+  const LatticePoint low{double_below(p.x), double_below(p.y)};
+  const LatticePoint high{double_above(p.x), double_above(p.y)};
+  out.push_back(low);
+  if (low.x != high.x) out.push_back({high.x, low.y});
+  if (low.y != high.y) out.push_back({low.x, high.y});
+  if (low.x != high.x && low.y != high.y) out.push_back(high);
 }
 
-// Start and goal first; then the free corners in lexicographic order.
+// Start and goal first; then the corners inside the domain in lexicographic order, free or not.
 std::vector<LatticePoint> corners_of(const Layer& layer) {
   std::vector<LatticePoint> corners;
   for (const OpenSum& sum : layer.sums)
     for (const LatticePoint p : sum.vertices) append_doubles(corners, p);
+  for (const LatticePolygon& piece : layer.region)
+    corners.insert(corners.end(), piece.begin(), piece.end());
+  std::erase_if(corners, [&](const LatticePoint p) { return !contains(layer.domain, p); });
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  std::vector<std::int32_t> scratch;
-  std::erase_if(corners, [&](const LatticePoint p) { return !is_free(layer, p, scratch); });
   corners.insert(corners.begin(), {layer.start, layer.goal});
   return corners;
 }
+
+// Which corners are free, found when it is first asked.
+class FreeCorners {
+ public:
+  FreeCorners(const Layer& layer, const std::vector<LatticePoint>& corners)
+      : layer_(layer), corners_(corners), known_(corners.size(), Known::kNothing) {}
+
+  bool operator()(const std::size_t i) {
+    if (known_[i] == Known::kNothing)
+      known_[i] = is_free(layer_, corners_[i], scratch_) ? Known::kFree : Known::kCovered;
+    return known_[i] == Known::kFree;
+  }
+
+ private:
+  enum class Known : std::uint8_t { kNothing, kFree, kCovered };
+
+  const Layer& layer_;
+  const std::vector<LatticePoint>& corners_;
+  std::vector<Known> known_;
+  std::vector<std::int32_t> scratch_;
+};
 
 // Square buckets over points, about one point each.
 class Buckets {
@@ -65,16 +93,18 @@ class Buckets {
       buckets_[bucket(column(points[i]), row(points[i]))].push_back(i);
   }
 
-  // The `count` points nearest to points[i], nearer ones first, ties by index; i is not among them.
-  [[nodiscard]] std::vector<std::size_t> nearest(const std::size_t i,
-                                                 const std::size_t count) const {
+  // The `count` points nearest to points[i] that are free, nearer ones first, ties by index; i is
+  // not among them.
+  std::vector<std::size_t> nearest(const std::size_t i, const std::size_t count,
+                                   FreeCorners& is_free) const {
     std::vector<std::pair<double, std::size_t>> found;
     const LatticePoint p = points_[i];
     const Int64 rings = std::max(columns_, rows_);
     for (Int64 ring = 0; ring <= rings; ++ring) {
       visit_ring(column(p), row(p), ring, [&](const std::size_t k) {
-        if (k != i) found.emplace_back(distance(p, points_[k]), k);
+        if (k != i && is_free(k)) found.emplace_back(distance(p, points_[k]), k);
       });
+      if (found.size() < count) continue;
       // Points outside the rings are farther than `ring` buckets.
       const double reached = static_cast<double>(ring) * static_cast<double>(size_);
       const auto inside = std::count_if(found.begin(), found.end(),
@@ -121,7 +151,7 @@ class Buckets {
 class Search {
  public:
   Search(const Layer& layer, const std::vector<LatticePoint>& corners, const Buckets& buckets)
-      : layer_(layer), corners_(corners), buckets_(buckets) {}
+      : layer_(layer), corners_(corners), buckets_(buckets), is_free_corner_(layer, corners) {}
 
   // Empty: no way with so many neighbours, or too much work.
   std::vector<std::size_t> find(const std::size_t neighbours) {
@@ -130,27 +160,24 @@ class Search {
 
   std::vector<std::size_t> find(const std::size_t neighbours,
                                 const std::function<bool(std::size_t)>& arrives, const bool aimed) {
-    std::vector<double> cost(corners_.size(), std::numeric_limits<double>::infinity());
     std::vector<std::size_t> before(corners_.size(), kNone);
     std::vector<bool> closed(corners_.size(), false);
-    using Entry = std::pair<double, std::size_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    cost[0] = 0.0;
-    open.emplace(0.0, 0);
+    std::priority_queue<Step, std::vector<Step>, std::greater<>> open;
+    open.push({0.0, 0.0, 0, kNone});
     while (!open.empty() && !exhausted()) {
-      const std::size_t here = open.top().second;
+      const Step step = open.top();
+      const std::size_t here = step.to;
       open.pop();
-      if (closed[here]) continue;
+      // Segments are tested as late as possible: most are never needed.
+      if (closed[here] || (step.from != kNone && !sees(step.from, here))) continue;
       closed[here] = true;
+      before[here] = step.from;
       if (arrives(here)) return way_to(before, here);
-      std::vector<std::size_t> nearest = buckets_.nearest(here, neighbours);
-      if (aimed) nearest.push_back(1);
-      for (const std::size_t next : nearest) {
-        const double through = cost[here] + distance(corners_[here], corners_[next]);
-        if (closed[next] || through >= cost[next] || !sees(here, next)) continue;
-        cost[next] = through;
-        before[next] = here;
-        open.emplace(through + (aimed ? distance(corners_[next], corners_[1]) : 0.0), next);
+      for (const std::size_t next : buckets_.nearest(here, neighbours, is_free_corner_)) {
+        if (closed[next]) continue;
+        const double cost = step.cost + distance(corners_[here], corners_[next]);
+        const double rest = aimed ? distance(corners_[next], corners_[1]) : 0.0;
+        open.push({cost + rest, cost, next, here});
       }
     }
     return {};
@@ -172,9 +199,17 @@ class Search {
     return way;
   }
 
+  // To a corner from one that is reached: the length so far, and with what is left at least.
+  struct Step {
+    double bound, cost;
+    std::size_t to, from;
+    friend auto operator<=>(const Step&, const Step&) = default;
+  };
+
   const Layer& layer_;
   const std::vector<LatticePoint>& corners_;
   const Buckets& buckets_;
+  FreeCorners is_free_corner_;
   std::uint64_t tests_ = 0;
   std::vector<std::int32_t> scratch_;
 };
@@ -207,6 +242,46 @@ std::optional<std::vector<LatticePoint>> find_taut_path(const Layer& layer) {
       std::vector<LatticePoint> path;
       path.reserve(way.size());
       for (const std::size_t k : way) path.push_back(corners[k]);
+      return path;
+    }
+    if (search.exhausted() || neighbours >= corners.size()) return std::nullopt;
+  }
+}
+
+std::optional<LatticePoint> free_place_in_region(const Layer& layer) {
+  std::vector<std::int32_t> scratch;
+  for (const LatticePoint p : corners_of(layer))
+    if (in_region(layer, p) && is_free(layer, p, scratch)) return p;
+  return std::nullopt;
+}
+
+std::optional<std::vector<LatticePoint>> find_way_into_region(const Layer& layer) {
+  const std::vector<LatticePoint> corners = corners_of(layer);
+  const Buckets buckets(corners);
+  Search search(layer, corners, buckets);
+  std::vector<std::int32_t> scratch;
+  LatticePoint place;
+  const auto arrives = [&](const std::size_t corner) {
+    const LatticePoint p = corners[corner];
+    place = p;
+    if (in_region(layer, p)) return true;
+    for (const LatticePolygon& piece : layer.region)
+      for (const LatticePoint v : piece)
+        for (const LatticePoint q : {LatticePoint{v.x, p.y}, LatticePoint{p.x, v.y}}) {
+          if (!in_region(layer, q) || !contains(layer.domain, q) || !is_free(layer, p, q, scratch))
+            continue;
+          place = q;
+          return true;
+        }
+    return false;
+  };
+  for (std::size_t neighbours = kNearestCorners;; neighbours *= kNearestGrowth) {
+    std::vector<std::size_t> way = search.find(neighbours, arrives, false);
+    if (!way.empty()) {
+      shorten(search, way);
+      std::vector<LatticePoint> path;
+      for (const std::size_t k : way) path.push_back(corners[k]);
+      if (path.back() != place || path.size() == 1) path.push_back(place);
       return path;
     }
     if (search.exhausted() || neighbours >= corners.size()) return std::nullopt;

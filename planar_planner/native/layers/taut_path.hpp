@@ -17,6 +17,13 @@ namespace planner {
 // Empty: none was found, because a corner that is needed is no double or the work got too much.
 std::optional<std::vector<LatticePoint>> find_taut_path(const Layer& layer);
 
+// A way from the start to a place of the layer's region. Empty: none was found; a place of it that
+// no corner, vertex of the region or move along an axis reaches is not.
+std::optional<std::vector<LatticePoint>> find_way_into_region(const Layer& layer);
+
+// A free place of the region among the corners and its vertices, if there is one.
+std::optional<LatticePoint> free_place_in_region(const Layer& layer);
+
 // A way from the start to a place that `is_open` accepts, one of `lengths` away from the last
 // corner in one of eight directions; of the nearer corners first. Empty: none was found near the
 // start.

@@ -6,6 +6,7 @@
 
 #include "pdg/native/depth/translational_depth.hpp"
 #include "planar_planner/native/configurations/nearby.hpp"
+#include "planar_planner/native/configurations/quarter_turn.hpp"
 #include "planar_planner/native/tolerances.hpp"
 #include "tuning.hpp"
 
@@ -78,7 +79,7 @@ Placement place(const ScaledProblem& problem, ObstacleTree& tree, Labeller& labe
   labeller.root_list(root);
   const pdg::Motion motion = pdg::make_motion(
       t, {}, {}, {}, std::max(problem.domain.reach, pdg::norm(t) * pdg::kRadiusPadding));
-  const pdg::Rotation rotation{std::cos(q.theta), std::sin(q.theta)};
+  const pdg::Rotation rotation = rotation_at(q.theta);
   PosedRobot posed(problem.robot);
   posed.turn_to(rotation);
   const LabelResult result = labeller.label(motion, posed, view(root));

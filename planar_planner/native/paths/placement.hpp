@@ -22,6 +22,7 @@ enum class PlacementState : std::uint8_t {
 
 struct Placement {
   PlacementState state = PlacementState::kFree;
+  bool exact = false;          // kColliding: rounded arithmetic leaves it open
   bool wall = false;           // kColliding, kContact: the workspace, not an obstacle
   std::int64_t obstacle = -1;  // kColliding: polygon of the deepest pair; -1 for a wall
   std::uint32_t robot_polygon = 0;

@@ -2,10 +2,10 @@
 // sub-interval is FREE by the same labelling as cells, never sampled.
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
+#include "planar_planner/native/configurations/quarter_turn.hpp"
 #include "planar_planner/native/configurations/scaled_configuration.hpp"
 #include "planar_planner/native/labels/label.hpp"
 #include "planar_planner/native/world/scaled_problem.hpp"
@@ -22,9 +22,6 @@ ScaledConfiguration between(const ScaledConfiguration& from, const ScaledConfigu
 // The configurations of that part of the segment, coupled (pdg::Motion::turn).
 pdg::Motion motion_along(const ScaledProblem& problem, const ScaledConfiguration& from,
                          const ScaledConfiguration& to, Interval interval);
-inline pdg::Rotation rotation_at(const double theta) {
-  return {std::cos(theta), std::sin(theta)};
-}
 
 class SegmentTest {
  public:

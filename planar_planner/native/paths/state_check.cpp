@@ -5,6 +5,7 @@
 
 #include "pdg/native/tolerances.hpp"
 #include "planar_planner/native/configurations/nearby.hpp"
+#include "planar_planner/native/configurations/quarter_turn.hpp"
 #include "planar_planner/native/configurations/scaled_configuration.hpp"
 
 namespace planner {
@@ -128,7 +129,7 @@ bool StateCheck::pose(const Configuration& q) {
   const Vec2 place = t_ - domain_.low;
   if (!(place.x >= 0.0 && place.x <= domain_.size.x && place.y >= 0.0 && place.y <= domain_.size.y))
     return false;
-  rotation_ = {std::cos(q.theta), std::sin(q.theta)};
+  rotation_ = rotation_at(q.theta);
   low_ = {INFINITY, INFINITY};
   high_ = {-INFINITY, -INFINITY};
   for (const Vec2 a : hull_) {

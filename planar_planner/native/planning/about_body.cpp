@@ -50,7 +50,7 @@ std::optional<Answer> Planner::solve_about_body(const Configuration& start,
       [&](const Usage& usage, const auto& progress) { return watch.check(usage, progress); });
   if (ends_settle_it(query, start, own) || query.in_contact || !query.legs.empty()) {
     layer_.reset();
-    legs_layer_.reset();
+    layers_.clear();
     return std::nullopt;
   }
   Planner& body = *about_body_;

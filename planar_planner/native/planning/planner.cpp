@@ -13,6 +13,7 @@
 #include "planar_planner/native/search/channel.hpp"
 #include "planar_planner/native/search/goal_cells.hpp"
 #include "planar_planner/native/search/search.hpp"
+#include "planar_planner/native/tolerances.hpp"
 #include "planar_planner/native/world/disc.hpp"
 #include "reference_path.hpp"
 #include "tuning.hpp"
@@ -56,7 +57,7 @@ Answer Planner::solve(const Configuration& start, const Goal& goal, const Limits
                       const Listener& listener) {
   by_body_ = false;
   layer_.reset();
-  legs_layer_.reset();
+  layers_.clear();
   const auto* const place = std::get_if<Configuration>(&goal);
   if (about_body_ && place != nullptr)
     if (auto answer = solve_about_body(start, *place, limits, listener)) return std::move(*answer);
@@ -99,7 +100,8 @@ Answer Planner::solve_certified(const Configuration& start, const Goal& goal, co
   }
   answer.to_be_checked = false;
   if (exact_instead(answer, start, goal)) return answer;
-  last_ = {Verdict::kUndecided, std::nullopt, start, goal, {}, 1.0, 0, 0};
+  last_ = {Verdict::kUndecided, std::nullopt, start, goal, {}, 1.0, {}};
+  answer.exact.clear();
   answer.verdict = Verdict::kUndecided;
   answer.stop_reason = StopReason::kNoEvidence;
   answer.ends_moved = false;
@@ -342,14 +344,8 @@ void Planner::complete_answer(Query& query) {
 
 void Planner::remember(const Query& query, const Configuration& start, const Goal& goal) {
   const Answer& answer = query.answer;
-  last_ = {answer.verdict,
-           answer.statistics.decided_by,
-           start,
-           goal,
-           answer.path.waypoints,
-           1.0,
-           query.legs.before.size(),
-           query.legs.after.size()};
+  last_ = {answer.verdict, answer.statistics.decided_by, start, goal, answer.path.waypoints, 1.0,
+           answer.exact};
 }
 
 Evidence Planner::evidence() {
@@ -374,13 +370,20 @@ Evidence Planner::evidence() {
   } else if (last_.verdict == Verdict::kNoPath) {
     out.kind = ClaimKind::kEnd;
     out.at_goal = last_.decided_by == DecidedBy::kGoal;
-    const Placement p = placement(out.at_goal ? std::get<Configuration>(last_.goal) : last_.start);
+    const Configuration& q = out.at_goal ? std::get<Configuration>(last_.goal) : last_.start;
+    const Placement p = place(problem_, *tree_, *labeller_, q);
+    if (p.state == PlacementState::kContact) {
+      const auto exact = place_exactly(problem_, q);
+      const ChainLink in = exact->overlap ? static_cast<ChainLink>(exact->overlap->sum)
+                                          : link_of(exact->beyond.value());
+      return end_evidence(exact->layer, in, out.at_goal);
+    }
     out.out_of_bounds = p.state == PlacementState::kOutside;
     out.witness = p.witness;
   }
   out.robot_names = robot_names(problem_.robot);
   out.obstacle_names = obstacle_names(*tree_);
-  if (out.kind == ClaimKind::kPath && legs_layer_) add_exact_segments(*legs_layer_, out);
+  if (out.kind == ClaimKind::kPath) prove_exact_legs(layers_, out);
   collect_polygons(out);
   return out;
 }
@@ -402,9 +405,9 @@ Crossing Planner::thinnest_wall() {
   }
   if (last_.decided_by == DecidedBy::kDisc) return disc_inside_->thinnest_wall();
   if (last_.decided_by != DecidedBy::kSeparation) return {};
-  return find_thinnest_wall(problem_, *subdivision_, leaves_of(last_.start),
-                            leaves_of_goal(last_.goal),
-                            [this](const Configuration& q) { return placement(q).depth; });
+  return find_thinnest_wall(
+      problem_, *subdivision_, leaves_of(last_.start), leaves_of_goal(last_.goal),
+      [this](const Configuration& q) { return place(problem_, *tree_, *labeller_, q).depth; });
 }
 
 CellTable Planner::cells() const {
@@ -412,8 +415,30 @@ CellTable Planner::cells() const {
   return subdivision_ ? tabulate(problem_, *subdivision_) : CellTable{};
 }
 
+double Planner::tolerated_error() const {
+  const double unused = kUnusedErrorUnits * pdg::kUnitRoundoff * problem_.domain.reach;
+  return length_to_user(problem_, unused / kMovedByCoordinates);
+}
+
+// Where rounded arithmetic leaves it open whether the robot touches or overlaps, exact arithmetic
+// may tell.
 Placement Planner::placement(const Configuration& q) {
-  return place(problem_, *tree_, *labeller_, q);
+  Placement out = place(problem_, *tree_, *labeller_, q);
+  if (out.state != PlacementState::kContact || !problem_.ablation.layers) return out;
+  const auto exact = place_exactly(problem_, q);
+  if (!exact || exact->free()) return out;
+  out.state = PlacementState::kColliding;
+  out.exact = true;
+  out.depth = exact->depth;
+  out.wall = exact->beyond.has_value();
+  out.obstacle = -1;
+  if (!exact->overlap) return out;
+  const OpenSum& sum = exact->layer.sums[exact->overlap->sum];
+  const std::uint32_t polygon = exact->layer.obstacles[sum.obstacle_piece].polygon;
+  out.robot_polygon = exact->layer.robot[sum.robot_piece].polygon;
+  out.wall = polygon >= problem_.given.obstacles.size();
+  if (!out.wall) out.obstacle = static_cast<std::int64_t>(polygon);
+  return out;
 }
 
 PathCheck Planner::check_path(std::vector<Configuration> path) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "layer_decision.hpp"
+#include "layer_join.hpp"
 #include "planar_planner/native/cells/cell_table.hpp"
 #include "planar_planner/native/cells/face.hpp"
 #include "planar_planner/native/cells/subdivision.hpp"
@@ -36,6 +37,9 @@ class Planner {
   Planner& operator=(const Planner&) = delete;
 
   [[nodiscard]] const ScaledProblem& problem() const { return problem_; }
+  // What rounded arithmetic decides also holds if every coordinate of robot, obstacles, bounds and
+  // ends is off by so much; user's units.
+  [[nodiscard]] double tolerated_error() const;
   Placement placement(const Configuration& q);
   Answer solve(const Configuration& start, const Goal& goal, const Limits& limits,
                const Listener& listener);
@@ -72,8 +76,14 @@ class Planner {
   bool take_over(Query& query, const Configuration& start, const Configuration& goal);
   bool retrace(Query& query);
 
+  // contact.cpp
   bool leave_contact(Query& query, const Configuration& start, const Goal& goal, bool at_start);
   void add_exact_legs(Query& query) const;
+  LayerJoin join_layers(Query& query, const Goal& goal);
+  std::optional<std::vector<Configuration>> through_leaves(const Query& query, CellId from,
+                                                           const Configuration& start, CellId to,
+                                                           const Configuration& goal);
+  [[nodiscard]] CellId leaf_of(const Configuration& q) const;
   void begin_path(Evidence& evidence) const;
   bool exact_instead(Answer& answer, const Configuration& start, const Goal& goal);
   bool ends_settle_it(Query& query, const Configuration& start, const Goal& goal);
@@ -107,7 +117,7 @@ class Planner {
     Goal goal;
     std::vector<Configuration> waypoints;
     double share = 1.0;  // of the rounding's bound, that its evidence keeps off
-    std::size_t exact_before = 0, exact_after = 0;  // waypoints of its exact legs
+    std::vector<ExactRun> exact;
   };
 
   ScaledProblem problem_;
@@ -119,7 +129,7 @@ class Planner {
   std::unique_ptr<SegmentTest> segments_;
   std::unique_ptr<Subdivision> subdivision_;
   std::unique_ptr<FaceTest> faces_;
-  std::optional<Layer> legs_layer_;     // that holds the last query's exact legs
+  std::vector<Layer> layers_;           // of the last query's exact legs
   std::optional<LayerDecision> layer_;  // of the last query, if that was decided exactly
   std::unique_ptr<Planner> disc_round_, disc_inside_;
   bool disc_prepared_ = false;

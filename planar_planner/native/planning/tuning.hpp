@@ -40,6 +40,12 @@ inline constexpr double kClosestShare = 0.25;
 // a tenth of a second.
 inline constexpr std::size_t kMostLayerSums = 100'000;
 inline constexpr std::size_t kMostLayerVertices = 1'000'000;
+
+// Open places at one quarter turn that are looked at, the largest, and questions whether two of
+// them are joined there, times the layer's sums. Chosen: about a tenth of a second.
+inline constexpr std::size_t kMostGates = 48;
+inline constexpr std::size_t kGateWork = 2'000'000;
+
 // The way of a far reference point: the part of the body's room along a segment that the arc's
 // deviation may take up before the segment is halved instead, how often one is halved, and how many
 // waypoints there may be. Chosen, not tuned: half the room makes fewer waypoints, but evidence that

@@ -1,6 +1,7 @@
 // One query while it is being answered: its ends, limits and answer so far.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -16,6 +17,26 @@
 
 namespace planner {
 
+// Translations at a quarter turn that are free exactly: they may touch. The way's waypoints with
+// both its ends, and which of the query's layers they are in.
+struct ExactLeg {
+  std::vector<Configuration> way;
+  std::size_t layer = 0;
+};
+
+// They lead from the user's start to the one that is planned from, and from the goal that is
+// planned to on to the user's.
+struct ExactLegs {
+  ExactLeg before, after;
+  [[nodiscard]] bool empty() const { return before.way.empty() && after.way.empty(); }
+};
+
+// The waypoints of a path from `first` to `last` are an exact leg.
+struct ExactRun {
+  std::size_t first, last;
+  std::size_t layer;
+};
+
 struct Answer {
   Verdict verdict = Verdict::kUndecided;
   std::optional<StopReason> stop_reason;  // kUndecided
@@ -23,15 +44,8 @@ struct Answer {
   bool ends_moved = false;                // off a contact, within the contact tolerance
   bool to_be_checked = false;             // the evidence's room is within the rounding's bound
   PathReport path;                        // kPath
+  std::vector<ExactRun> exact;            // parts of the path, in order
   Statistics statistics;
-};
-
-// Translations at angle 0 that lead from the user's start to the one that is planned from, and from
-// the goal that is planned to on to the user's. Each list has the way's waypoints with both its
-// ends.
-struct ExactLegs {
-  std::vector<Configuration> before, after;
-  [[nodiscard]] bool empty() const { return before.empty() && after.empty(); }
 };
 
 struct Query {
@@ -45,6 +59,7 @@ struct Query {
   std::optional<StopReason> stopped_by;  // a limit that was reached, or the listener
   ExactLegs legs;                        // of ends in contact, without rounding
   bool lifted = false;                   // an end in contact was moved off
+  bool no_doubles = false;  // a path exists exactly, but none was found whose corners are doubles
   std::optional<StopReason> in_contact;  // of an end that was not: a path cannot be certified
 
   Query(const Configuration& s, const Goal& g, const GoalRegion* r, const Limits& l, Clock seconds,

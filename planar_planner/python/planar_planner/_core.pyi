@@ -23,6 +23,7 @@ class DecidedBy(enum.StrEnum):
     CHANNEL = "channel"
     RIDGE = "ridge"
     TAUT_PATH = "taut path"
+    JOINED_LAYERS = "joined layers"
     SEPARATION = "separation"
     ODD_CHAIN = "odd chain"
     START = "start"
@@ -42,6 +43,8 @@ class StopReason(enum.StrEnum):
     START_TOUCHES_WORKSPACE = "start_touches_workspace"
     GOAL_TOUCHES_OBSTACLE = "goal_touches_obstacle"
     GOAL_TOUCHES_WORKSPACE = "goal_touches_workspace"
+    TIGHT_TURN = "tight_turn"
+    NO_DOUBLES = "no_doubles"
     MOVED_ENDS = "moved_ends"
     NO_EVIDENCE = "no_evidence"
     LOST_CHANNEL = "lost_channel"
@@ -293,8 +296,6 @@ class NamedEvidence:
     @property
     def segments(self) -> list[list[NamedInterval]]: ...
     @property
-    def exact_after(self) -> int: ...
-    @property
     def domain(self) -> NamedDomain: ...
     @property
     def start_side(self) -> list[_Box]: ...
@@ -327,6 +328,7 @@ class Core:
         without: Sequence[str] = ...,
         query: str = "per-normal",
     ) -> None: ...
+    def tolerated_error(self) -> float: ...
     def placement(self, q: tuple[float, float, float]) -> dict[str, Any]: ...
     def solve(
         self,

@@ -12,6 +12,7 @@ FORMAT_VERSION = 1
 # Every certificate.
 FORMAT, VERSION, MADE_BY, SCENE = "format", "version", "made_by", "scene"
 VERDICT = "verdict"
+DECIMAL_PLACES = "decimal_places"
 ROBOT_PIECES, OBSTACLE_PIECES, OUTSIDE = "robot_pieces", "obstacle_pieces", "outside"
 
 # A path.

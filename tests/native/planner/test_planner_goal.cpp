@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "planar_planner/native/configurations/goal_region.hpp"
+#include "planar_planner/native/configurations/quarter_turn.hpp"
 #include "planar_planner/native/configurations/scaled_configuration.hpp"
 
 namespace {

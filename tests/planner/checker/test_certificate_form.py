@@ -27,6 +27,7 @@ OBJECTS: dict[str, tuple[Fields, ...]] = {
         form.COMMON_FIELDS,
         form.OUTSIDE_FIELDS,
         form.REFERENCE_FIELDS,
+        form.DECIMAL_FIELDS,
         VERDICT_FIELD,
     ),
     "path": (form.PATH_FIELDS,),

@@ -97,7 +97,7 @@ def test_close_evidence_is_marked() -> None:
         answer = ask(make_core(problem), problem, Options(max_cells=20_000))
         marked += answer["to_be_checked"]
         assert not answer["to_be_checked"] or answer["verdict"] == "path"
-    content = json.loads((FAULTS / "nocert.json").read_text())
+    content = json.loads((FAULTS / "nocert_straight.json").read_text())
     problem = make_problem(load_scene(content))
     assert ask(make_core(problem), problem, Options())["to_be_checked"]
     assert marked < 40

@@ -19,6 +19,7 @@ from planar_planner.checker.arithmetic import (
     ONE,
     PI,
     ROTATION_BITS,
+    angle_of,
     cross,
     minus,
     rotation,
@@ -107,7 +108,7 @@ def piece_of(points: Points, obstacle: bool) -> Piece:
 
 def case_of(robot: Points, obstacle: Points) -> Case:
     """Return a case of one piece each."""
-    nowhere = Pose((0, 0), 0.0)
+    nowhere = Pose((0, 0), angle_of(0.0))
     mine, other = piece_of(robot, False), piece_of(obstacle, True)
     pieces = Pieces({"0": [mine]}, {"0": [other]})
     polygons = {"0": [mine.vertices]}, {"0": [other.vertices]}

@@ -159,15 +159,15 @@ def test_bad_start_on_the_command_line(
     ("found", "expected"),
     [
         (
-            {"state": "colliding", "what": "obstacle", "polygon": 0, "depth": 0.5},
+            {"state": "colliding", "exact": False, "what": "obstacle", "polygon": 0, "depth": 0.5},
             "goal: robot collides with obstacles[0], penetration depth 0.5 (got [9.0, 9.0, 0.0])",
         ),
         (
-            {"state": "outside", "what": "workspace", "depth": 0.25},
+            {"state": "outside", "exact": False, "what": "workspace", "depth": 0.25},
             "goal: robot is outside the workspace by 0.25",
         ),
         (
-            {"state": "outside", "what": "reference_bounds", "depth": 2.0},
+            {"state": "outside", "exact": False, "what": "reference_bounds", "depth": 2.0},
             "goal: reference point is outside reference_bounds by 2",
         ),
     ],
@@ -198,7 +198,7 @@ def test_collision_names_the_part_of_a_multipolygon(
     scene_dict["obstacles"].append({"type": "MultiPolygon", "coordinates": [rings, rings]})
     file = tmp_path / "parts.json"
     file.write_text(json.dumps(scene_dict))
-    hit = {"state": "colliding", "what": "obstacle", "polygon": 2, "depth": 1.0}
+    hit = {"state": "colliding", "exact": False, "what": "obstacle", "polygon": 2, "depth": 1.0}
     fake_core.placements = staticmethod(lambda q: FREE | hit)
     assert "start: robot collides with obstacles[1] (at obstacles[1].coordinates[1])," in refusal(
         capsys, "check", str(file)

@@ -15,7 +15,8 @@ pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs signals betwee
 
 # Says when it is there: what the interpreter itself does before cannot be answered by a program.
 START = (
-    "import os, sys\nfrom planar_planner.__main__ import run\nos.write(1, b'!')\nsys.exit(run())\n"
+    "import os, sys\nfrom planar_planner.__main__ import answer_interrupts, run\n"
+    "answer_interrupts()\nos.write(1, b'!')\nsys.exit(run())\n"
 )
 COMMANDS = {
     "list": (["list"], "scene", None),

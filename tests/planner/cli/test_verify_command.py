@@ -78,6 +78,7 @@ def test_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
         "scene": "scene",
         "finding": "valid",
         "verdict": "no_path",
+        "decimal_places": None,
         "proof": "disc",
         "contact_tolerance": 0.0,
         "claims": 2,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
 import pytest
 
 from planar_planner import Options, SceneError, margin
@@ -142,13 +143,23 @@ def test_a_limit_is_told_with_the_bracket_reached() -> None:
     assert found.lower <= 0.075 <= found.upper
 
 
-def test_a_touching_start_leaves_the_sign_open() -> None:
-    content = _slit(0.5, 0.3)
-    content["start"] = [-3.1, 0.0, 0.0]  # touches the workspace, or overlaps by an ulp
+@pytest.mark.parametrize(("numbers", "verdict"), [("decimals", "path"), ("doubles", "no_path")])
+def test_what_numbers_mean_decides_the_sign_of_a_touching_start(numbers: str, verdict: str) -> None:
+    content = {**_slit(0.5, 0.3), "numbers": numbers}
+    content["start"] = [-3.1, 0.0, 0.0]  # touches the workspace; its double overlaps by an ulp
     found = margin(content, width=1e-3)
     assert found.lower <= 0.0 <= found.upper
-    assert found.binding == "start"
-    assert not found.decided
+    assert (found.binding, found.verdict, found.decided) == ("start", verdict, True)
+    assert found.decimal_places == (2 if numbers == "decimals" else None)
+    assert not len(found.path) or np.allclose(found.path[0], content["start"], atol=0, rtol=0)
+
+
+def test_an_exact_fit_has_the_margin_of_its_decimals() -> None:
+    """The slit is as wide as the robot; in doubles it may be too narrow by a last place."""
+    content = _slit(0.3, 0.3)
+    found = margin(content, width=1e-3)
+    assert found.lower == 0.0 <= found.upper <= 1e-3
+    assert (found.verdict, found.decimal_places) == ("path", 2)
 
 
 def test_refused() -> None:

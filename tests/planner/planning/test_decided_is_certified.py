@@ -46,18 +46,17 @@ def test_a_path_with_room_of_rounding_only(scene: dict[str, Any], tmp_path: Path
     assert certificate.exists() == (status in (0, 1))
 
 
-def test_all_but_one_are_decided() -> None:
+def test_all_are_decided() -> None:
     """Their evidence comes nearer to touching than rounding allows, so it is checked exactly."""
     results = [solve(scene, certificate=True) for scene in _scenes()]
-    assert [result.verdict for result in results].count("path") == len(results) - 1
-    assert [result.stop_reason for result in results].count(StopReason.RESOLUTION) == 1
+    assert {result.verdict for result in results} == {"path"}
 
 
 def test_close_evidence_that_the_checker_rejects_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
     def reject(*_: object) -> None:
         raise CertificateRejected("segments", "an edge may not separate")
 
-    scene = _scenes()[0]
+    scene = _scenes()[5]  # whose evidence is checked
     planner = Planner(scene)
     with monkeypatch.context() as patch:
         patch.setattr("planar_planner.planning.planner.verify_problem", reject)
@@ -71,4 +70,4 @@ def test_close_evidence_that_the_checker_rejects_is_none(monkeypatch: pytest.Mon
 
 def test_margins_are_of_certified_paths() -> None:
     found = margin(_scenes()[0])
-    assert found.lower <= 0.0 <= found.upper + found.width
+    assert found.lower < 1e-12 < found.upper + found.width  # the slot has 1e-13 of room

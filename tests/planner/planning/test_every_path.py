@@ -42,7 +42,11 @@ def test_both_ways_and_again(name: str) -> None:
     length = float(np.hypot(steps[:, 0], steps[:, 1]).sum())
     assert there.stats.path_length == pytest.approx(length, rel=1e-12)
     assert there.stats.waypoints == len(there.path)
-    assert there.stats.least_clearance > 0.0
+    assert (there.stats.least_clearance > 0.0) == (name not in TOUCHING)
+
+
+TOUCHING = {"exact-maze", "peg", "sliding-block", "unlocked"}
+"""Scenes whose paths touch; the sampled clearance of decimals may be less than 0 by rounding."""
 
 
 def sampled_clearance(content: dict[str, Any], path: NDArray[np.float64]) -> float:
@@ -68,4 +72,6 @@ def test_least_clearance_is_a_bound(name: str) -> None:
     result = Planner(content).solve()
     assert result.verdict == "path"
     reported = result.stats.least_clearance
-    assert 0.0 < reported <= sampled_clearance(content, result.path) * (1.0 + 1e-9)
+    assert (reported > 0.0) == (name not in TOUCHING)
+    rounding = 1e-14 if name in TOUCHING else 0.0
+    assert reported <= sampled_clearance(content, result.path) * (1.0 + 1e-9) + rounding

@@ -87,7 +87,7 @@ def test_bad_ends_do_not_cost_the_core(
 ) -> None:
     planner = planar_planner.Planner(scene_dict)
     fake_core.placements = staticmethod(
-        lambda q: {"state": "outside", "what": "reference_bounds", "depth": 1.0}
+        lambda q: {"state": "outside", "exact": False, "what": "reference_bounds", "depth": 1.0}
     )
     with pytest.raises(planar_planner.SceneError, match="outside reference_bounds"):
         planner.solve()

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import shapely
 
-from planar_planner import Options, Planner, SceneError, margin, solve
+from planar_planner import DecidedBy, Options, Planner, SceneError, margin, solve
 from worlds.goal_worlds import LIMITS, Scene, answer, cage, in_goal, moved, rectangle, shape, slot
 from worlds.random_scenes import random_scene
 from worlds.scene import plain
@@ -212,9 +212,13 @@ def test_limits_leave_regions_undecided() -> None:
     assert answer(scene, Options(resolution=0.1)).verdict == "undecided"
 
 
-def test_exactly_critical_is_undecided() -> None:
+def test_exact_fits_on_the_way_to_a_region() -> None:
     for goal in ({"region": BEYOND}, {"escape": rectangle(0, 0, 6, 10)}):
-        assert answer(slot(0.5, goal), Options(timeout=2.0)).verdict == "undecided"
+        found = answer(slot(0.5, goal), Options(timeout=2.0))
+        assert (found.verdict, found.stats.decided_by) == ("path", DecidedBy.TAUT_PATH)
+        for less in (2.0**-30, 2.0**-40, 2.0**-45):
+            narrow = {**slot(0.5 - less, goal), "rotation": False}
+            assert answer(narrow, Options(timeout=2.0)).verdict == "no_path", less
 
 
 def test_answers_repeat() -> None:

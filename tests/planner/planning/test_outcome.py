@@ -8,11 +8,12 @@ import pytest
 
 from planar_planner import DecidedBy, StopReason
 from planar_planner.cli.report import HINTS
-from planar_planner.planning.outcome import MOVED, PATHS, PROOFS, STOPS, sentence
+from planar_planner.planning.outcome import LEGS, MOVED, PATHS, PROOFS, STOPS, sentence
 
 NO_REMEDY = {
     StopReason.INTERRUPTED,
     StopReason.MOVED_ENDS,
+    StopReason.NO_DOUBLES,
     StopReason.NO_EVIDENCE,
     StopReason.LOST_CHANNEL,
 }
@@ -34,6 +35,8 @@ def test_sentences() -> None:
     assert sentence("no_path", DecidedBy.DISC) == "a disc inside the robot has no path"
     assert sentence("undecided", None, StopReason.MAX_CELLS) == "cell limit reached"
     assert sentence("path", DecidedBy.RIDGE, ends_moved=True).endswith(MOVED)
+    assert sentence("path", DecidedBy.RIDGE, exact_legs=True).endswith(LEGS)
+    assert LEGS not in sentence("path", DecidedBy.JOINED_LAYERS, exact_legs=True)
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,7 @@ def answer(verdict: str, **stats: Any) -> dict[str, Any]:
         "verdict": verdict,
         "stop_reason": StopReason.MAX_CELLS if verdict == "undecided" else None,
         "ends_moved": False,
+        "exact_legs": False,
         "to_be_checked": False,
         "path": path,
         "stats": Statistics(decided_by=decided_by, **stats),

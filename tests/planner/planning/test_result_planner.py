@@ -65,7 +65,7 @@ def test_second_query_uses_the_same_core(
 
 
 def test_every_query_is_checked(fake_core: type[FakeCore], scene_dict: dict[str, Any]) -> None:
-    hit = {"state": "colliding", "what": "obstacle", "polygon": 0, "depth": 0.125}
+    hit = {"state": "colliding", "exact": False, "what": "obstacle", "polygon": 0, "depth": 0.125}
     fake_core.placements = staticmethod(lambda q: FREE | hit if q[:2] == (5, 5) else FREE)
     planner = planar_planner.Planner(scene_dict)
     planner.solve()

@@ -52,6 +52,7 @@ def answer(verdict: str, scene: str = "s", path: Any = (), **stats: Any) -> Resu
         "verdict": verdict,
         "stop_reason": StopReason.TIMEOUT if verdict == "undecided" else None,
         "ends_moved": False,
+        "exact_legs": False,
         "to_be_checked": False,
         "path": path,
         "stats": Statistics(decided_by=decided_by, **stats),

@@ -209,7 +209,7 @@ def test_repr_is_one_short_line() -> None:
         ({"start": (1, 2)}, "start: must be [x, y, theta] (got [1, 2])"),
         ({"start": None}, "start: must be [x, y, theta] (got None)"),
         ({"start": shapely.Point(1, 2)}, "start: must be [x, y, theta]"),
-        ({"goal": (1, 2, "0")}, "goal[2]: must be a number (got '0')"),
+        ({"goal": (1, 2, "0")}, "goal[2]: must be a number of radians, or text"),
         ({"goal": {"region": 3}}, "goal.region: must be a polygon"),
         ({"goal": {"escape": shapely.MultiPolygon(WALLS)}}, "goal.escape: must be one polygon"),
         ({"rotation": 1}, "rotation: must be true or false (got 1)"),

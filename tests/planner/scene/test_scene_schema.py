@@ -55,7 +55,7 @@ def test_limits_agree() -> None:
         "minimum": -MAX_COORDINATE,
         "maximum": -MIN_COORDINATE,
     }
-    angle = SCHEMA["$defs"]["configuration"]["prefixItems"][2]
+    angle = SCHEMA["$defs"]["angle"]["oneOf"][0]
     assert (angle["minimum"], angle["maximum"]) == (-MAX_ANGLE, MAX_ANGLE)
 
 

@@ -7,8 +7,10 @@ from typing import Any
 
 import pytest
 
-from planar_planner import Options, load_scene, solve
-from planar_planner.checker.verify import verify_certificate
+from planar_planner import Options, SceneError, load_scene, solve, verify_certificate
+from planar_planner.planning.certificate import make_certificate
+from planar_planner.planning.engine import ask, make_core
+from planar_planner.problem.make import make_problem
 
 
 def rectangle(x0: float, y0: float, x1: float, y1: float) -> dict[str, Any]:
@@ -114,4 +116,13 @@ def test_an_end_that_overlaps_by_less_than_rounding_has_no_path(end: str, expone
     content["start"] = [2, 0.5 - 2.0**exponent, 0.0]
     if end == "goal":
         content["start"], content["goal"] = content["goal"], content["start"]
-    assert solve(load_scene(content)).verdict == "undecided"
+    scene = load_scene(content)
+    with pytest.raises(SceneError, match=f"outside the workspace by {2.0**exponent:.6g}"):
+        solve(scene)
+    problem = make_problem(scene)
+    core = make_core(problem)
+    answer = ask(core, problem, Options())
+    assert (answer["verdict"], answer["stats"].decided_by.lower()) == ("no_path", end)
+    certificate = make_certificate(problem, core.evidence(), 0.0)
+    assert certificate is not None
+    assert verify_certificate(scene, certificate).proof == "end"

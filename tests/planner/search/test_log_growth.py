@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from planar_planner import Options, load_scene, solve, verify_certificate
+from planar_planner import DecidedBy, Options, load_scene, solve, verify_certificate
 
 CLEARANCES = (1e-2, 1e-4, 1e-6, 1e-8)
 
@@ -78,12 +78,15 @@ def test_contact_on_a_cell_boundary_starves_no_other_channel(gap: float) -> None
     assert result.stats.cells < 2000
 
 
-def test_exactly_fitting_gate_is_undecided_by_resolution_and_soon() -> None:
+def test_exactly_fitting_gate_is_passed_by_turning_before_and_after() -> None:
     """A robot that has to turn on its way through a gate that fits at one angle only."""
-    result = solve(load_scene({**gate(0.0), "start": [4, 5, 0.3], "goal": [16, 5, 0.3]}))
-    assert result.verdict == "undecided"
-    assert result.reason == "resolution reached"
+    scene = load_scene({**gate(0.0), "start": [4, 5, 0.3], "goal": [16, 5, 0.3]})
+    result = solve(scene, certificate=True)
+    assert result.verdict == "path"
+    assert result.stats.decided_by is DecidedBy.JOINED_LAYERS
     assert result.stats.cells < 5000
+    assert result.certificate is not None
+    verify_certificate(scene, result.certificate)
 
 
 @pytest.mark.parametrize("rotation", [True, False])

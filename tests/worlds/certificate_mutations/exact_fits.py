@@ -65,9 +65,23 @@ def chain_round_a_turned_robot(scene: Json, certificate: Json) -> Mutant:
 def chain_round_a_region(scene: Json, certificate: Json) -> Mutant:
     if "chain" not in certificate:
         return None
-    x, y, _ = scene["goal"]
-    ring = [[x, y], [x + 0.01, y], [x, y + 0.01]]
+    """A region that reaches to the start's side of the chain."""
+    (x, y, _), (u, v, _) = scene["goal"], scene["start"]
+    a, b = [u + 0.01, v], [u, v + 0.01]
+    left = (a[0] - x) * (b[1] - y) > (a[1] - y) * (b[0] - x)
+    ring = [[x, y], *((a, b) if left else (b, a))]  # counter-clockwise from the goal on
     scene["goal"] = {"region": {"type": "Polygon", "coordinates": [ring]}}
+    return scene, signed(scene, certificate)
+
+
+@mutation
+def chain_round_one_of_two_regions(scene: Json, certificate: Json) -> Mutant:
+    """The other one is beside the start."""
+    if "chain" not in certificate:
+        return None
+    (x, y, _), (u, v, _) = scene["goal"], scene["start"]
+    rings = [[[[a, b], [a + 2.0**-12, b], [a, b + 2.0**-12]]] for a, b in ((x, y), (u, v))]
+    scene["goal"] = {"region": {"type": "MultiPolygon", "coordinates": rings}}
     return scene, signed(scene, certificate)
 
 
@@ -126,3 +140,37 @@ def touching_segment_turned(scene: Json, certificate: Json) -> Mutant:
     for waypoint in certificate["waypoints"][1:-1]:
         waypoint[2] += 2.0**-40
     return scene, certificate
+
+
+@mutation
+def decimals_of_doubles(scene: Json, certificate: Json) -> Mutant:
+    """Signed: the scene says that its numbers are doubles."""
+    if "decimal_places" not in certificate:
+        return None
+    scene["numbers"] = "doubles"
+    return scene, signed(scene, certificate)
+
+
+@mutation
+def decimals_of_another_place(scene: Json, certificate: Json) -> Mutant:
+    if "decimal_places" not in certificate:
+        return None
+    certificate["decimal_places"] += 1
+    return scene, certificate
+
+
+@mutation
+def decimals_left_out(scene: Json, certificate: Json) -> Mutant:
+    if "decimal_places" not in certificate:
+        return None
+    del certificate["decimal_places"]
+    return scene, certificate
+
+
+@mutation
+def decimals_that_are_none(scene: Json, certificate: Json) -> Mutant:
+    """Signed: a length of the scene has more places."""
+    if "decimal_places" not in certificate:
+        return None
+    scene["start"][0] += 2.0**-20
+    return scene, signed(scene, certificate)

@@ -13,8 +13,17 @@ from itertools import chain
 from typing import NamedTuple
 
 from planar_planner import certificate_keys as keys
-from planar_planner.checker.arithmetic import ONE, Ring, Vector, cyclic_pairs, dot, minus
-from planar_planner.checker.case import Case, Pose
+from planar_planner.checker.arithmetic import (
+    ONE,
+    Angle,
+    Ring,
+    Vector,
+    cyclic_pairs,
+    dot,
+    minus,
+    quarter_turned,
+)
+from planar_planner.checker.case import Case
 from planar_planner.checker.collisions import check_full
 from planar_planner.checker.demands import demand, find
 from planar_planner.checker.extents import Extent
@@ -29,6 +38,7 @@ Number = int | Fraction
 Point = tuple[Number, Number]
 
 _FAR = ONE * MAX_LENGTH * 16
+NO_TURN = Angle(Fraction(), Fraction())
 FAR: list[Point] = [(-_FAR, -_FAR), (_FAR, -_FAR), (_FAR, _FAR), (-_FAR, _FAR)]
 """A square that holds every translation that matters in its interior."""
 
@@ -63,11 +73,11 @@ def check_disc(case: Case, proof: DiscProof) -> int:
         robot={"0": [proof.disc]},
         pieces=case.pieces._replace(robot={"0": [disc]}),
         turning=False,
-        start=case.start._replace(theta=0.0),
+        start=case.start._replace(angle=NO_TURN),
         goal=(
             GoalArea(goal.polygons, None)
             if isinstance(goal, GoalArea)
-            else goal._replace(theta=0.0)
+            else goal._replace(angle=NO_TURN)
         ),
     )
     return check_separation(smaller, proof.separation)
@@ -92,7 +102,8 @@ def check_end(case: Case, proof: EndProof) -> int:
         outside = not case.in_bounds(end.translation)
         demand(outside, keys.REFERENCE_BOUNDS, "the reference point is not outside")
     else:
-        extent = Extent([end.translation], Fraction(), Fraction(), Fraction(end.theta))
+        radians, turns = end.angle
+        extent = Extent([end.translation], turns, turns, radians)
         check_full(case, proof.end, proof.collision, extent)
     return 1
 
@@ -102,44 +113,56 @@ def check_chain(case: Case, proof: ChainProof) -> int:
 
     The closed polygon through a point of each overlap lies in the sets, because they are convex. It
     winds round one of start and goal an odd number of times, and round the other an even number.
+    Polygons of a goal region are connected: it does not meet them, and winds round all points of
+    one as often.
     """
-    still = not case.turning and case.start.theta == 0
-    demand(still, keys.CHAIN, "is about a robot at angle 0 that may not turn")
-    if not isinstance(case.goal, Pose):
-        raise CertificateRejected(keys.CHAIN, "is about a goal that is a configuration")
-    sets = [open_set(case, f"{keys.CHAIN}[{k}]", link) for k, link in enumerate(proof.chain)]
+    quarters = None if case.turning else case.start.angle.quarters
+    if quarters is None:
+        raise CertificateRejected(
+            keys.CHAIN, "is about a robot that may not turn, at a quarter turn"
+        )
+    sets = [
+        open_set(case, f"{keys.CHAIN}[{k}]", link, quarters) for k, link in enumerate(proof.chain)
+    ]
     polygon = [
         common_point(f"{keys.CHAIN}[{k}]", a, b) for k, (a, b) in enumerate(cyclic_pairs(sets))
     ]
-    start, goal = case.start.translation, case.goal.translation
-    odd = winds_oddly(polygon, start) != winds_oddly(polygon, goal)
+    inside = winds_oddly(polygon, case.start.translation)
+    goal = case.goal
+    if isinstance(goal, GoalArea):
+        demand(not goal.meets_curve(polygon), keys.CHAIN, "may meet the goal region")
+        places = [area[0][0] for area in goal.polygons]
+    else:
+        places = [goal.translation]
+    odd = all(winds_oddly(polygon, place) != inside for place in places)
     demand(odd, keys.CHAIN, "does not separate start from goal")
     return len(sets)
 
 
-def open_set(case: Case, place: str, link: ChainLink) -> OpenSet:
+def open_set(case: Case, place: str, link: ChainLink, quarters: int) -> OpenSet:
     """Return translations at which a pair overlaps, or that are beyond a side of the bounds."""
     if link.pair is None:
-        return beyond(case, link.side or "")
+        return beyond(case, link.side or "", quarters)
     robot, obstacle = case.pieces.pair(place, link.pair)
-    return interior(convex_hull(minus(o, r) for o in obstacle.vertices for r in robot.vertices))
+    turned = [quarter_turned(r, quarters) for r in robot.vertices]
+    return interior(convex_hull(minus(o, r) for o in obstacle.vertices for r in turned))
 
 
-def beyond(case: Case, side: str) -> OpenSet:
+def beyond(case: Case, side: str, quarters: int) -> OpenSet:
     """Return translations beyond a side: of the reference bounds, or with a vertex past a wall."""
     beyonds = []
     if side in case.bounds:
         edge = case.bounds[side]
-        beyonds.append(clipped(FAR, HalfPlane(turned(edge.normal), -dot(edge.normal, edge.base))))
+        beyonds.append(clipped(FAR, HalfPlane(opposite(edge.normal), -dot(edge.normal, edge.base))))
     if side in case.walls:
         edge = case.walls[side]
-        least = min(dot(edge.normal, vertex) for vertex in case.outline)
+        least = min(dot(edge.normal, quarter_turned(v, quarters)) for v in case.outline)
         offset = least - dot(edge.normal, edge.base)
-        beyonds.append(clipped(FAR, HalfPlane(turned(edge.normal), offset)))
+        beyonds.append(clipped(FAR, HalfPlane(opposite(edge.normal), offset)))
     return interior(convex_hull(chain.from_iterable(beyonds)))
 
 
-def turned(v: Vector) -> Vector:
+def opposite(v: Vector) -> Vector:
     """Return the opposite vector."""
     return -v[0], -v[1]
 

@@ -5,7 +5,8 @@ corners of boxes exactly, so sums and products of lengths are exact.
 
 An angle is radians + 2π turns, both exact fractions, because scenes write radians and boxes count
 turns. Angles become integers in units of 2^-ANGLE_BITS, cosines and sines in units of
-2^-ROTATION_BITS and off by at most one.
+2^-ROTATION_BITS and off by at most one. Quarter turns are exact: a double that is nearest to a
+multiple of π/2 means that multiple.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 LENGTH_BITS = 320
 """Bits after the binary point of lengths: 219 for the doubles of scenes, 60 for the levels of
@@ -29,6 +30,9 @@ Polygon = list[Ring]
 Rectangle = tuple[int, int, int, int]
 """xmin, ymin, xmax, ymax."""
 
+MOST_DIGITS = 12
+"""Of a decimal: two of 15 digits are never nearest to one double."""
+
 ROTATION_BITS = 120
 ANGLE_BITS = 220
 TURNS_ERROR = Fraction(1, 1 << 180)
@@ -37,6 +41,24 @@ TURNS_ERROR = Fraction(1, 1 << 180)
 Rotation = tuple[int, int]
 """Cosine and sine."""
 
+
+class Angle(NamedTuple):
+    """The angle radians + 2π turns."""
+
+    radians: Fraction
+    turns: Fraction
+
+    @property
+    def quarters(self) -> int | None:
+        """How many quarter turns it is; None if it is another angle."""
+        quarters = 4 * self.turns
+        return int(quarters) if self.radians == 0 and quarters.denominator == 1 else None
+
+    def is_same_but_turns(self, other: Angle) -> bool:
+        """Whether it is another angle but for whole turns."""
+        return self.radians == other.radians and (self.turns - other.turns).denominator == 1
+
+
 _Item = TypeVar("_Item")
 
 
@@ -44,6 +66,17 @@ def units(number: float) -> int:
     """Return a double in units of length; those of scenes are multiples of 2^-219."""
     above, below = number.as_integer_ratio()
     return above << (LENGTH_BITS + 1 - below.bit_length())
+
+
+def decimal_units(number: float, places: int) -> int | None:
+    """Return 10^places times the decimal of so many places that a double is nearest to, in units.
+
+    None if there is none, or if it has more than MOST_DIGITS digits, so that there may be two.
+    """
+    decimal = round(Fraction(number) * Fraction(10) ** places)
+    if abs(decimal) > 10**MOST_DIGITS or float(Fraction(decimal, 10**places)) != number:
+        return None
+    return decimal * ONE
 
 
 def minus(a: Vector, b: Vector) -> Vector:
@@ -95,9 +128,24 @@ def angle_units(radians: Fraction, turns: Fraction) -> int:
     return math.floor(radians * (1 << ANGLE_BITS)) + math.floor(2 * turns * PI)
 
 
-def turns_of(theta: float) -> Fraction:
-    """Return an angle in turns, off by at most `TURNS_ERROR`; 0 is exact."""
-    return Fraction(angle_units(Fraction(theta), Fraction()), 2 * PI)
+@lru_cache(1 << 12)
+def angle_of(theta: float) -> Angle:
+    """Return what a double of a scene means: a quarter turn if no double is nearer to that."""
+    quarters = round(theta / (math.pi / 2))
+    if float(Fraction(quarters * PI, 2 << ANGLE_BITS)) == theta:
+        return Angle(Fraction(), Fraction(quarters, 4))
+    return Angle(Fraction(theta), Fraction())
+
+
+def turns_of(angle: Angle) -> Fraction:
+    """Return an angle in turns, off by at most `TURNS_ERROR`; exact without radians."""
+    return Fraction(angle_units(angle.radians, Fraction()), 2 * PI) + angle.turns
+
+
+def quarter_turned(p: Vector, quarters: int) -> Vector:
+    """Return a vector turned by quarter turns, exactly."""
+    x, y = p
+    return ((x, y), (-y, x), (-x, -y), (y, -x))[quarters % 4]
 
 
 @lru_cache(1 << 16)

@@ -5,9 +5,8 @@ docs/certificate.md, "Common part", says how polygons are numbered and what the 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
@@ -16,14 +15,18 @@ from planar_planner import certificate_keys as keys
 from planar_planner.checker.arithmetic import (
     ONE,
     ROTATION_BITS,
+    Angle,
     Polygon,
     Rectangle,
     Ring,
     Vector,
+    angle_of,
     bounding_box,
     cross,
     cyclic_pairs,
+    decimal_units,
     minus,
+    quarter_turned,
     rotation,
     units,
 )
@@ -31,6 +34,7 @@ from planar_planner.checker.demands import NO_DEADLINE, Deadline, demand
 from planar_planner.checker.goal_area import GoalArea
 from planar_planner.checker.pieces import Edge, Pieces, checked_pieces
 from planar_planner.checker.records import Certificate
+from planar_planner.errors import CertificateRejected
 from planar_planner.problem.goal import Goal, GoalSet
 from planar_planner.problem.make import Polygons, Problem
 from planar_planner.scene.fields import Configuration
@@ -44,14 +48,18 @@ WALL_NORMALS: dict[str, Vector] = {
 """Outward normals of the walls, which are half-planes: they point into the workspace."""
 
 
+Length = Callable[[float], int]
+"""Turns a double of the scene into units."""
+
+
 class Pose(NamedTuple):
-    """A configuration: translation, theta in radians as the scene writes it.
+    """A configuration: translation and angle.
 
     The translation is off by at most `spread` along x and y; the scene's own is exact.
     """
 
     translation: Vector
-    theta: float
+    angle: Angle
     spread: int = 0
 
 
@@ -76,6 +84,9 @@ class Case:
     reference : Vector
         The point of the scene's robot at which robot, pieces and poses have their origin. An area
         and bounds are for the scene's own origin: if that is another point, there are no bounds.
+    decimal_places : int
+        Lengths of the scene are decimals of so many places, and one here is in the last of them.
+        0: they are the scene's.
     deadline : Deadline
         Of the verification.
     """
@@ -90,6 +101,7 @@ class Case:
     pieces: Pieces
     reference: Vector = (0, 0)
     deadline: Deadline = NO_DEADLINE
+    decimal_places: int = 0
 
     def in_bounds(self, translation: Vector) -> bool:
         """Whether the reference point is within its bounds."""
@@ -103,10 +115,12 @@ class Case:
 
 def make_case(problem: Problem, certificate: Certificate, deadline: Deadline = NO_DEADLINE) -> Case:
     """Turn the scene's doubles into integers, and check the certificate's pieces against it."""
-    walls, beyond = _workspace(problem, certificate)
+    length = _reading(problem, certificate)
+    walls, beyond = _workspace(problem, certificate, length)
     reference = certificate.reference or (0, 0)
-    robot = _numbered([_about(reference, polygon) for polygon in _polygons(problem.robot)])
-    obstacles = _numbered([*_polygons(problem.obstacles), *beyond])
+    own = _polygons(problem.robot, length)
+    robot = _numbered([_about(reference, polygon) for polygon in own])
+    obstacles = _numbered([*_polygons(problem.obstacles, length), *beyond])
     pieces = Pieces(
         checked_pieces(keys.ROBOT_PIECES, robot, certificate.robot_pieces, of_obstacle=False),
         checked_pieces(
@@ -119,23 +133,40 @@ def make_case(problem: Problem, certificate: Certificate, deadline: Deadline = N
         robot=robot,
         obstacles=obstacles,
         walls=_box_edges(walls),
-        bounds=_box_edges(bounds and _rectangle(bounds)),
+        bounds=_box_edges(bounds and _rectangle(bounds, length)),
         turning=problem.rotation,
-        start=_pose(problem.start, reference),
-        goal=_goal(problem.goal, problem.rotation, reference),
+        start=_pose(problem.start, reference, length),
+        goal=_goal(problem.goal, problem.rotation, reference, length),
         pieces=pieces,
         reference=reference,
         deadline=deadline,
+        decimal_places=certificate.decimal_places or 0,
     )
 
 
+def _reading(problem: Problem, certificate: Certificate) -> Length:
+    """Return how a length of the scene is read: as the double, or as a decimal."""
+    places = certificate.decimal_places
+    if places is None:
+        return units
+    demand(problem.decimals, keys.DECIMAL_PLACES, "the scene's numbers mean doubles")
+
+    def decimal(number: float) -> int:
+        value = decimal_units(number, places)
+        if value is None:
+            raise CertificateRejected(keys.DECIMAL_PLACES, f"{number!r} is no such decimal")
+        return value
+
+    return decimal
+
+
 def _workspace(
-    problem: Problem, certificate: Certificate
+    problem: Problem, certificate: Certificate, length: Length
 ) -> tuple[Rectangle | None, list[Polygon]]:
     """Return the box of the walls, and the polygons that a polygonal workspace leaves outside."""
     if problem.workspace is None:
-        return problem.workspace_box and _rectangle(problem.workspace_box), []
-    ((outer, *holes),) = _polygons(problem.workspace)
+        return problem.workspace_box and _rectangle(problem.workspace_box, length), []
+    ((outer, *holes),) = _polygons(problem.workspace, length)
     walls = bounding_box(outer)
     xmin, ymin, xmax, ymax = certificate.outside or walls
     larger = xmin < walls[0] and ymin < walls[1] and walls[2] < xmax and walls[3] < ymax
@@ -144,9 +175,9 @@ def _workspace(
     return walls, [[frame, outer[::-1]], *([hole[::-1]] for hole in holes)]
 
 
-def _polygons(polygons: Polygons) -> Iterator[Polygon]:
+def _polygons(polygons: Polygons, length: Length) -> Iterator[Polygon]:
     """Yield polygons with outer rings counter-clockwise and holes clockwise."""
-    points = [(units(x), units(y)) for x, y in polygons.coords.tolist()]
+    points = [(length(x), length(y)) for x, y in polygons.coords.tolist()]
     rings = [points[a:b] for a, b in pairwise(polygons.ring_starts.tolist())]
     for first, end in pairwise(polygons.polygon_starts.tolist()):
         outer, *holes = rings[first:end]
@@ -162,8 +193,8 @@ def _numbered(polygons: Iterator[Polygon] | list[Polygon]) -> dict[str, Polygon]
     return {str(number): polygon for number, polygon in enumerate(polygons)}
 
 
-def _rectangle(box: tuple[float, float, float, float]) -> Rectangle:
-    xmin, ymin, xmax, ymax = map(units, box)
+def _rectangle(box: tuple[float, float, float, float], length: Length) -> Rectangle:
+    xmin, ymin, xmax, ymax = map(length, box)
     return xmin, ymin, xmax, ymax
 
 
@@ -182,19 +213,21 @@ def _about(reference: Vector, polygon: Polygon) -> Polygon:
     return [[minus(vertex, reference) for vertex in ring] for ring in polygon]
 
 
-def _pose(configuration: Configuration, reference: Vector) -> Pose:
+def _pose(configuration: Configuration, reference: Vector, length: Length) -> Pose:
     """Return where a point of the robot is: x + R(theta) reference."""
     x, y, theta = configuration
+    angle = angle_of(theta)
+    if angle.quarters is not None:
+        u, v = quarter_turned(reference, angle.quarters)
+        return Pose((length(x) + u, length(y) + v), angle)
     u, v = reference
-    if theta == 0:
-        return Pose((units(x) + u, units(y) + v), theta)
-    c, s = rotation(Fraction(theta), Fraction())
+    c, s = rotation(angle.radians, angle.turns)
     turned = (u * c - v * s) >> ROTATION_BITS, (u * s + v * c) >> ROTATION_BITS
     spread = ((abs(u) + abs(v)) >> ROTATION_BITS) + 2 if u or v else 0
-    return Pose((units(x) + turned[0], units(y) + turned[1]), theta, spread)
+    return Pose((length(x) + turned[0], length(y) + turned[1]), angle, spread)
 
 
-def _goal(goal: Goal, turning: bool, reference: Vector) -> Pose | GoalArea:
+def _goal(goal: Goal, turning: bool, reference: Vector, length: Length) -> Pose | GoalArea:
     if isinstance(goal, GoalSet):
-        return GoalArea(list(_polygons(goal.polygons)), goal.angles if turning else None)
-    return _pose(goal, reference)
+        return GoalArea(list(_polygons(goal.polygons, length)), goal.angles if turning else None)
+    return _pose(goal, reference, length)

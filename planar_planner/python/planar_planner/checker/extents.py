@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from planar_planner.checker.arithmetic import (
     ROTATION_BITS,
+    Angle,
     Rectangle,
     Rotation,
     Vector,
@@ -65,13 +66,13 @@ class Domain(NamedTuple):
 
     low: Vector
     size: Vector
-    only_theta: float | None  # the angle of a robot that may not turn; None: it may
+    only_angle: Angle | None  # of a robot that may not turn; None: it may
 
     def extent(self, place: str, box: Box, axis: int | None = None) -> Extent:
         """Return the configurations of a box, or of a face normal to `axis`, inside the domain."""
         inside = all(k + (a != axis) <= 1 << level for a, (level, k) in enumerate(box))
         demand(inside, place, "reaches beyond the domain")
-        turning = self.only_theta is None
+        turning = self.only_angle is None
         flat = box[THETA] == (0, 0) and axis != THETA
         demand(turning or flat, place, "has angles in a fixed scene")
         ends = [(k,) if a == axis else (k, k + 1) for a, (_, k) in enumerate(box)]
@@ -79,6 +80,7 @@ class Domain(NamedTuple):
         xs, ys = ([self.low[a] + steps[a] * k for k in ends[a]] for a in (0, 1))
         corners = list(product(xs, ys))
         first, *last = (Fraction(k, 1 << box[THETA][0]) for k in ends[THETA])
-        if self.only_theta is not None:
-            return Extent(corners, first, first, Fraction(self.only_theta))
+        if self.only_angle is not None:
+            radians, turns = self.only_angle
+            return Extent(corners, turns, turns, radians)
         return Extent(corners, first, last[0] if last else first)

@@ -50,6 +50,7 @@ from planar_planner.errors import CertificateError
 DEEPEST_LEVEL = 60
 """The deepest level of a box: its sides are at least 2^-60 of the domain's."""
 MAX_LENGTH = 2**100
+MOST_PLACES = 12
 MAX_ANGLE = 2**20
 """In radians and in turns."""
 
@@ -143,6 +144,7 @@ def _certificate(fields: Mapping[str, Any]) -> Certificate:
         fields.get(keys.OUTSIDE),
         fields.get(keys.REFERENCE),
         _proof(fields),
+        fields.get(keys.DECIMAL_PLACES),
     )
 
 
@@ -277,6 +279,8 @@ COMMON_FIELDS: Fields = {
 }
 OUTSIDE_FIELDS: Fields = {keys.OUTSIDE: tuple_of(_LENGTH, _LENGTH, _LENGTH, _LENGTH)}
 """What a certificate has besides if the workspace is a polygon."""
+DECIMAL_FIELDS: Fields = {keys.DECIMAL_PLACES: integer(1, MOST_PLACES)}
+"""What a certificate has besides if it takes the scene's lengths as decimals."""
 REFERENCE_FIELDS: Fields = {keys.REFERENCE: _POINT}
 """What a separation has besides if it is about another point of the robot than the origin."""
 
@@ -291,9 +295,10 @@ _PROOFS = (
 )
 _CERTIFICATE = object_of(
     *(
-        {**COMMON_FIELDS, **proof, **outside}
+        {**COMMON_FIELDS, **proof, **outside, **decimals}
         for proof in _PROOFS
         for outside in ({}, OUTSIDE_FIELDS)
+        for decimals in ({}, DECIMAL_FIELDS)
     ),
     convert=_certificate,
 )

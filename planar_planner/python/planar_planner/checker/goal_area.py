@@ -5,7 +5,7 @@ Polygons are closed: their boundary belongs to them. Rectangles are closed too.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -14,12 +14,14 @@ from planar_planner.checker.arithmetic import (
     Polygon,
     Rectangle,
     Vector,
+    angle_of,
     bounding_box,
-    cross,
     cyclic_pairs,
-    minus,
     turns_of,
 )
+
+Number = int | Fraction
+Point = tuple[Number, Number]
 
 
 class GoalArea(NamedTuple):
@@ -36,18 +38,31 @@ class GoalArea(NamedTuple):
         """Whether a polygon has a point in common with a rectangle."""
         return any(meets_rectangle(polygon, rectangle) for polygon in self.polygons)
 
+    def meets_curve(self, curve: Sequence[Point]) -> bool:
+        """Whether a closed polyline has a point in common with a polygon.
+
+        It lies wholly outside if one of its points does and no segment meets an edge.
+        """
+        for polygon in self.polygons:
+            if in_polygon(polygon, curve[0]):
+                return True
+            edges = list(_edges(polygon))
+            if any(_segments_meet(s, e) for s in cyclic_pairs(curve) for e in edges):
+                return True
+        return False
+
     def may_have_angle(self, first: Fraction, last: Fraction) -> bool:
         """Whether some angle may lie between two in turns, whole turns apart or not."""
         if self.angles is None:
             return True
-        low, high = map(turns_of, self.angles)
+        low, high = (turns_of(angle_of(theta)) for theta in self.angles)
         low, high = low % 1, high - low + low % 1
         return any(
             low + n - TURNS_ERROR <= last and first <= high + n + TURNS_ERROR for n in (-1, 0, 1)
         )
 
 
-def in_polygon(polygon: Polygon, point: Vector) -> bool:
+def in_polygon(polygon: Polygon, point: Point) -> bool:
     """Whether a polygon holds a point: on an edge, or an odd number of edges to the right."""
     odd = False
     for a, b in _edges(polygon):
@@ -64,6 +79,22 @@ def meets_rectangle(polygon: Polygon, rectangle: Rectangle) -> bool:
     if any(_edge_meets(a, b, rectangle) for a, b in _edges(polygon)):
         return True
     return in_polygon(polygon, rectangle[:2])
+
+
+def _segments_meet(s: tuple[Point, Point], e: tuple[Point, Point]) -> bool:
+    """Whether two closed segments have a common point, or may: their ends' sides do not tell."""
+    (a, b), (c, d) = s, e
+    if max(a[0], b[0]) < min(c[0], d[0]) or max(c[0], d[0]) < min(a[0], b[0]):
+        return False
+    if max(a[1], b[1]) < min(c[1], d[1]) or max(c[1], d[1]) < min(a[1], b[1]):
+        return False
+    one_side = _turn(a, b, c) * _turn(a, b, d) > 0
+    other_side = _turn(c, d, a) * _turn(c, d, b) > 0
+    return not one_side and not other_side
+
+
+def _turn(a: Point, b: Point, p: Point) -> Number:
+    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
 
 
 def _edges(polygon: Polygon) -> Iterator[tuple[Vector, Vector]]:
@@ -83,11 +114,11 @@ def _edge_meets(a: Vector, b: Vector, rectangle: Rectangle) -> bool:
     return min(sides) <= 0 <= max(sides)
 
 
-def _side(a: Vector, b: Vector, point: Vector) -> int:
+def _side(a: Vector, b: Vector, point: Point) -> Number:
     """Return a number that is positive to the left of the line from a to b, and 0 on it."""
-    return cross(minus(b, a), minus(point, a))
+    return _turn(a, b, point)
 
 
-def _in_box_of(a: Vector, b: Vector, point: Vector) -> bool:
+def _in_box_of(a: Vector, b: Vector, point: Point) -> bool:
     xmin, ymin, xmax, ymax = bounding_box((a, b))
     return xmin <= point[0] <= xmax and ymin <= point[1] <= ymax

@@ -26,6 +26,7 @@ from planar_planner.checker.arithmetic import (
     dot,
     interiors_apart,
     minus,
+    quarter_turned,
     rotation,
 )
 from planar_planner.checker.case import Case, Pose
@@ -39,6 +40,7 @@ from planar_planner.checker.records import (
     SeparatingLine,
     Waypoint,
 )
+from planar_planner.errors import CertificateRejected
 
 
 class Motion(NamedTuple):
@@ -54,6 +56,14 @@ class Motion(NamedTuple):
         return abs(self.half_turn) + 2
 
 
+class ExactMotion(NamedTuple):
+    """A translation of the robot at a quarter turn."""
+
+    a: Vector
+    b: Vector
+    quarters: int
+
+
 def check_path(case: Case, proof: PathProof) -> int:
     """Check that the waypoints lead from start to goal and that all segments are free.
 
@@ -67,7 +77,7 @@ def check_path(case: Case, proof: PathProof) -> int:
         place = f"{keys.WAYPOINTS}[{i}]"
         inside = case.in_bounds((waypoint.x, waypoint.y))
         demand(inside, place, "is outside reference_bounds")
-        still = case.turning or (waypoint.theta, waypoint.turns) == (case.start.theta, 0)
+        still = case.turning or waypoint.angle == case.start.angle
         demand(still, place, "turns a robot that may not turn")
     for i, intervals in enumerate(segments):
         place = f"{keys.SEGMENTS}[{i}]"
@@ -86,19 +96,20 @@ def check_path_ends(case: Case, proof: PathProof) -> None:
     """Check that the first waypoint is the start, and the last one the goal or one of a region."""
     first, last = proof.waypoints[0], proof.waypoints[-1]
     demand(first.turns == 0, f"{keys.WAYPOINTS}[0]", "has turns")
-    check_end_pose(f"{keys.WAYPOINTS}[0]", first, case.start, proof.contact_tolerance)
+    tolerance = Fraction(proof.contact_tolerance) * 10**case.decimal_places
+    check_end_pose(f"{keys.WAYPOINTS}[0]", first, case.start, tolerance)
     place = f"{keys.WAYPOINTS}[-1]"
     if isinstance(case.goal, GoalArea):
         check_arrival(place, last, case.goal)
     else:
-        check_end_pose(place, last, case.goal, proof.contact_tolerance)
+        check_end_pose(place, last, case.goal, tolerance)
 
 
-def check_end_pose(place: str, waypoint: Waypoint, pose: Pose, tolerance: float) -> None:
+def check_end_pose(place: str, waypoint: Waypoint, pose: Pose, tolerance: Fraction) -> None:
     """Check that a waypoint is a configuration, up to a translation and whole turns."""
     way = minus((waypoint.x, waypoint.y), pose.translation)
-    demand(dot(way, way) <= (Fraction(tolerance) * ONE) ** 2, place, "is elsewhere")
-    demand(waypoint.theta == pose.theta, place, "has another theta")
+    demand(dot(way, way) <= (tolerance * ONE) ** 2, place, "is elsewhere")
+    demand(waypoint.angle.is_same_but_turns(pose.angle), place, "has another theta")
 
 
 def check_arrival(place: str, waypoint: Waypoint, goal: GoalArea) -> None:
@@ -112,7 +123,7 @@ def check_segment(
     case: Case, place: str, ends: tuple[Waypoint, Waypoint], intervals: list[Interval]
 ) -> None:
     """Check that on every interval the robot is inside the walls and apart from every obstacle."""
-    exact = exact_translations(*ends)
+    exact = exact_motion(*ends)
     everywhere = swept_box(case.outline, make_motion(*ends, 0, ONE))
     boxes = {q: bounding_box(polygon[0]) for q, polygon in case.obstacles.items()}
     near = {q: box for q, box in boxes.items() if not interiors_apart(everywhere, box)}
@@ -138,31 +149,35 @@ def check_segment(
         check_all_apart(case, f"{place}[{i}]", motion, near, separated)
 
 
-def exact_translations(a: Waypoint, b: Waypoint) -> list[Vector]:
-    """Return the translations at both ends of a motion at angle 0, exactly; none of another."""
-    if a.theta == b.theta == 0 and a.turns == b.turns:
-        return [(a.x, a.y), (b.x, b.y)]
-    return []
+def exact_motion(a: Waypoint, b: Waypoint) -> ExactMotion | None:
+    """Return a motion at a quarter turn, exactly; None of another."""
+    quarters = a.angle.quarters
+    if quarters is None or a.angle != b.angle:
+        return None
+    return ExactMotion((a.x, a.y), (b.x, b.y), quarters)
 
 
-def is_outside(edge: Edge, vertex: Vector, translations: list[Vector]) -> bool:
-    """Whether the edge's function at angle 0, for the vertex, is at least 0, without rounding.
+def is_outside(edge: Edge, vertex: Vector, motion: ExactMotion | None) -> bool:
+    """Whether the edge's function at a quarter turn, for the vertex, is at least 0, exactly.
 
     It is linear in the translation: at least 0 at both ends of a motion, and so all along it.
     """
-    functions = [edge.sinusoid(vertex, translation) for translation in translations]
-    return bool(functions) and all(C + D >= 0 for C, D, _ in functions)
+    if motion is None:
+        return False
+    c, s = quarter_turned((1, 0), motion.quarters)
+    functions = [edge.sinusoid(vertex, translation) for translation in (motion.a, motion.b)]
+    return all(C + D * c + E * s >= 0 for C, D, E in functions)
 
 
-def check_line(case: Case, place: str, line: SeparatingLine, translations: list[Vector]) -> None:
+def check_line(case: Case, place: str, line: SeparatingLine, motion: ExactMotion | None) -> None:
     """Check that a segment's line has a pair's convex sum on one side: the segment misses it."""
-    demand(len(set(translations)) == 2, place, "the segment turns, or has no direction")
+    if motion is None or motion.a == motion.b:
+        raise CertificateRejected(place, "the segment turns, or has no direction")
     robot, obstacle = case.pieces.pair(place, line.pair)
-    a, b = translations
+    turned = [quarter_turned(r, motion.quarters) for r in robot.vertices]
+    a, b = motion.a, motion.b
     way = minus(b, a) if line.side == keys.LEFT else minus(a, b)
-    beside = all(
-        cross(way, minus(minus(o, r), a)) >= 0 for o in obstacle.vertices for r in robot.vertices
-    )
+    beside = all(cross(way, minus(minus(o, r), a)) >= 0 for o in obstacle.vertices for r in turned)
     demand(beside, place, "the segment's line may not separate the pair")
 
 
@@ -194,11 +209,11 @@ def check_all_apart(
 def make_motion(a: Waypoint, b: Waypoint, begin: int, end: int) -> Motion:
     """Return the part of a straight motion from parameter begin to end, both in units."""
     s, h = Fraction(begin + end, 2 * ONE), Fraction(end - begin, 2 * ONE)
-    radians, turns = Fraction(b.theta) - Fraction(a.theta), b.turns - a.turns
+    radians, turns = b.angle.radians - a.angle.radians, b.angle.turns - a.angle.turns
     middle = a.x + math.floor(s * (b.x - a.x)), a.y + math.floor(s * (b.y - a.y))
     half_way = math.floor(h * (b.x - a.x)), math.floor(h * (b.y - a.y))
     half_turn = angle_units(h * radians, h * turns) >> (ANGLE_BITS - ROTATION_BITS)
-    turned = rotation(Fraction(a.theta) + s * radians, a.turns + s * turns)
+    turned = rotation(a.angle.radians + s * radians, a.angle.turns + s * turns)
     return Motion(middle, half_way, turned, half_turn)
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from planar_planner.checker.arithmetic import Rectangle, Ring, Vector
+from planar_planner.checker.arithmetic import Angle, Rectangle, Ring, Vector, angle_of
 
 Span = tuple[int, int]
 """Level l and index k: from k/2^l to (k + 1)/2^l; normal to a face the plane k/2^l."""
@@ -74,6 +74,12 @@ class Waypoint(NamedTuple):
     y: int
     theta: float
     turns: int
+
+    @property
+    def angle(self) -> Angle:
+        """Its angle, exactly."""
+        radians, turns = angle_of(self.theta)
+        return Angle(radians, turns + self.turns)
 
 
 class Separator(NamedTuple):
@@ -157,3 +163,4 @@ class Certificate(NamedTuple):
     outside: Rectangle | None
     reference: Vector | None  # the point of the robot that the proof is about; None: the origin
     proof: Proof
+    decimal_places: int | None  # of the scene's lengths, in whose last one lengths are given here

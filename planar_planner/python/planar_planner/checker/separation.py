@@ -6,7 +6,7 @@ import math
 from fractions import Fraction
 
 from planar_planner import certificate_keys as keys
-from planar_planner.checker.arithmetic import TURNS_ERROR, turns_of
+from planar_planner.checker.arithmetic import TURNS_ERROR, Angle, turns_of
 from planar_planner.checker.case import WALL_NORMALS, Case, Pose
 from planar_planner.checker.collisions import check_full, is_negative_edge
 from planar_planner.checker.cover import check_cover
@@ -24,8 +24,8 @@ Place = tuple[Range, Range, Range]
 def check_separation(case: Case, separation: Separation) -> int:
     """Check that FULL boxes and faces separate the start from the goal; return their number."""
     check_distinct(separation)
-    only_theta = None if case.turning else case.start.theta
-    domain = Domain(separation.low, separation.size, only_theta)
+    only_angle = None if case.turning else case.start.angle
+    domain = Domain(separation.low, separation.size, only_angle)
     check_domain(case, domain)
     check_ends(case, domain, separation.start_side)
     for name, claims in (
@@ -83,19 +83,19 @@ def check_ends(case: Case, domain: Domain, start_side: list[Box]) -> None:
 def places_of(pose: Pose, domain: Domain) -> list[Place]:
     """Return three places of a configuration in parts of the domain, a turn apart.
 
-    No angle but 0 is on a box's boundary, so angles need not be exact. An angle below
-    `TURNS_ERROR` is on the side of 0 that its sign says.
+    Quarter turns are exact. No other angle is on a box's boundary, so those need not be. An angle
+    below `TURNS_ERROR` is on the side of 0 that its sign says.
     """
-    (x, y), theta, spread = pose
-    if domain.only_theta is not None:
-        theta = 0.0
+    (x, y), angle, spread = pose
+    if domain.only_angle is not None:
+        angle = Angle(Fraction(), Fraction())
     u, v = (
         (Fraction(at - spread - low, size), Fraction(at + spread - low, size))
         for at, low, size in zip((x, y), domain.low, domain.size, strict=True)
     )
-    turns, error = turns_of(theta), TURNS_ERROR if theta else Fraction()
-    low = turns - error if theta <= 0 else max(turns - error, Fraction())
-    high = turns + error if theta >= 0 else min(turns + error, Fraction())
+    turns, error = turns_of(angle), TURNS_ERROR if angle.radians else Fraction()
+    low = turns - error if angle.radians <= 0 else max(turns - error, Fraction())
+    high = turns + error if angle.radians >= 0 else min(turns + error, Fraction())
     whole = math.floor(turns)
     return [(u, v, (low - whole + n, high - whole + n)) for n in (-1, 0, 1)]
 

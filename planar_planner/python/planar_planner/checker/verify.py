@@ -7,7 +7,7 @@ Whatever is accepted is an inequality between integers. A certificate is rejecte
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from planar_planner import certificate_keys as keys
 from planar_planner.checker.absence import check_chain, check_disc, check_end
@@ -40,12 +40,15 @@ class Verification:
         The path's ends may be so far from start and goal, in the scene's unit of length.
     claims : int
         How many boxes, faces, and pairs on intervals were checked.
+    decimal_places : int or None
+        It holds for the scene's lengths as decimals of so many places; None: as doubles.
     """
 
     verdict: str
     proof: str
     contact_tolerance: float
     claims: int
+    decimal_places: int | None = None
 
 
 def verify_certificate(
@@ -105,7 +108,8 @@ def verify_problem(
     """Check a certificate against a problem, which is valid; see `verify_certificate`."""
     content = read_certificate(certificate)
     demand(content.scene == fingerprint(problem), keys.SCENE, "is not the one certified")
-    return _checked(make_case(problem, content, deadline), content.proof, contact_tolerance)
+    proven = _checked(make_case(problem, content, deadline), content.proof, contact_tolerance)
+    return replace(proven, decimal_places=content.decimal_places)
 
 
 def _checked(case: Case, proof: Proof, contact_tolerance: float) -> Verification:

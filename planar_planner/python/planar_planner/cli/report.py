@@ -14,6 +14,7 @@ _ALLOW_CONTACT = "--contact-tolerance LENGTH allows it"
 
 HINTS: Mapping[StopReason, str] = {
     StopReason.RESOLUTION: "a smaller --resolution may decide it",
+    StopReason.TIGHT_TURN: "a smaller --resolution may decide it, unless it touches",
     StopReason.MAX_CELLS: "a larger --max-cells may decide it",
     StopReason.MAX_MEMORY: "a larger --max-memory may decide it",
     StopReason.TIMEOUT: "a longer --timeout may decide it",

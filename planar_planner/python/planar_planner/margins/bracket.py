@@ -17,6 +17,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from planar_planner.margins.body import Body, ClaimError, Family, Floats
+from planar_planner.planning.decimal_core import rests_on_contact
 from planar_planner.planning.engine import Listener, ask, make_core
 from planar_planner.planning.options import Options
 from planar_planner.planning.outcome import STOPS, DecidedBy, StopReason
@@ -61,6 +62,8 @@ class Bracket:
         What `upper` rests on: "way", "start", "goal" or "none".
     undecided : (float, float) or None
         Margins between which queries were undecided.
+    rests_on_contact : bool
+        Whether an answer may be another one if lengths change by their rounding.
     """
 
     lower: float
@@ -71,6 +74,7 @@ class Bracket:
     binding: str = "none"
     undecided: tuple[float, float] | None = None
     reason: str = ""
+    rests_on_contact: bool = False
     counts: dict[str, int] = field(
         default_factory=lambda: dict.fromkeys(
             ("queries", "recertified", "bodies", "undecided", "cells"), 0
@@ -182,6 +186,7 @@ class Search:
             return
         limits = replace(self._options, timeout=max(SHARE * left, 1e-3), contact_tolerance=0.0)
         answer = ask(core, problem, limits, self._listener)
+        bracket.rests_on_contact = bracket.rests_on_contact or rests_on_contact(answer)
         bracket.counts["queries"] += 1
         bracket.counts["cells"] += answer["stats"].cells
         if answer["verdict"] == "path":

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import cast
 
 import numpy as np
@@ -13,6 +13,7 @@ from planar_planner.errors import OptionsError
 from planar_planner.load import SceneLike, load_scene
 from planar_planner.margins.body import Body, Family, Floats, geometry_of
 from planar_planner.margins.bracket import Bracket, Search
+from planar_planner.margins.decimals import margin_of_decimals
 from planar_planner.margins.ends import Ends, ends_of, scale_limit
 from planar_planner.margins.narrowest import find_narrow_place
 from planar_planner.margins.offset import Offsets
@@ -21,6 +22,8 @@ from planar_planner.margins.scaling import Centre, Scalings
 from planar_planner.margins.surroundings import Surroundings
 from planar_planner.planning.engine import Listener, make_core
 from planar_planner.planning.options import Options
+from planar_planner.planning.placement import find_placements, is_contact
+from planar_planner.problem.decimals import decimal_places, in_small_units, rounding_of_decimals
 from planar_planner.problem.make import Problem, make_problem
 from planar_planner.problem.plane import with_robot
 
@@ -95,6 +98,9 @@ def bracketed(
     problem: Problem, options: Options, asked: Asked, listener: Listener | None = None
 ) -> Margin:
     """Return the bracket; see `margin`."""
+    places = decimal_places(problem)
+    if places is not None and _decimals_tell(problem):
+        return _in_decimals(problem, places, options, asked, listener)
     began = time.monotonic()
     by, width = asked.by, _width(problem, asked)
     around = Surroundings(problem)
@@ -109,6 +115,8 @@ def bracketed(
     narrowest = _Narrowest(problem, by, around)
     search = Search(problem, family, options, listener, reuse=asked.reuse, guess=narrowest.guess)
     search.ask(bracket, Body(problem.robot, family.neutral, family.neutral))
+    if places is not None and bracket.rests_on_contact:
+        return _in_decimals(problem, places, options, asked, listener)
     if bracket.lower >= family.neutral and not math.isfinite(bracket.upper):
         bracket.lower = math.inf
     elif not math.isfinite(bracket.upper):
@@ -118,6 +126,27 @@ def bracketed(
         search.narrow(bracket, width)
     found = _Measured(problem, by, width, family.monotone, ends, bracket)
     return _result(found, narrowest, time.monotonic() - began)
+
+
+def _decimals_tell(problem: Problem) -> bool:
+    """Whether the rounding of decimals to doubles is not far below that of the planner."""
+    core = make_core(problem)
+    contact = is_contact(find_placements(core, problem))
+    return contact or rounding_of_decimals(problem) > core.tolerated_error()
+
+
+def _in_decimals(
+    problem: Problem,
+    places: int,
+    options: Options,
+    asked: Asked,
+    listener: Listener | None,
+) -> Margin:
+    """Return the bracket for lengths as decimals: of a problem whose numbers are integers."""
+    if asked.by == "offset" and asked.width is not None:
+        asked = replace(asked, width=asked.width * 10.0**places)
+    small = in_small_units(problem, places)
+    return margin_of_decimals(bracketed(small, options, asked, listener), places)
 
 
 def _width(problem: Problem, asked: Asked) -> float:

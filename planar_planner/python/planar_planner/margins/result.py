@@ -88,6 +88,9 @@ class Margin(FrozenArrays):
     imported : ImportReport
         What an importer did to the scene's geometry. If its `holds_for` is ``path``, only `lower`
         is also proven for the curves of the file; if it is ``no_path``, only `upper` is.
+    decimal_places : int or None
+        It holds for the scene's lengths as decimals of so many places, because the robot as it is
+        touches; path and robots are rounded to doubles. None: it holds for the doubles.
     """
 
     scene: str
@@ -107,6 +110,7 @@ class Margin(FrozenArrays):
     counts: Mapping[str, int]
     seconds: float
     imported: ImportReport = NOT_IMPORTED
+    decimal_places: int | None = None
 
     @property
     def neutral(self) -> float:
@@ -170,6 +174,7 @@ class Margin(FrozenArrays):
             "robot_upper": self.robot_upper,
             "counts": dict(self.counts),
             "seconds": self.seconds,
+            **({} if self.decimal_places is None else {"decimal_places": self.decimal_places}),
             **self.imported.to_json(),
         }
 

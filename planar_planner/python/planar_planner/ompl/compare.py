@@ -28,7 +28,7 @@ from planar_planner.planning.certificate import make_certificate
 from planar_planner.planning.engine import ask, make_core
 from planar_planner.planning.options import Options
 from planar_planner.planning.path_judge import Judge
-from planar_planner.planning.placement import check_placements
+from planar_planner.planning.placement import check_placements, find_placements
 from planar_planner.planning.result import Result, make_result
 from planar_planner.problem.make import Problem, make_problem, point_goal
 from planar_planner.scene.import_report import NOT_IMPORTED, ImportReport
@@ -191,7 +191,7 @@ def check_scene(scene: SceneLike) -> tuple[Scene, Problem]:
     loaded = load_scene(scene)
     problem = make_problem(loaded)
     point_goal(problem, "a comparison with samplers")
-    check_placements(make_core(problem), problem, 0.0)
+    check_placements(find_placements(make_core(problem), problem), problem, 0.0)
     return loaded, problem
 
 

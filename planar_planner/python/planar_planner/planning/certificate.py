@@ -27,6 +27,7 @@ from planar_planner._core import (
     NamedPolygon,
     NamedTerm,
 )
+from planar_planner.problem.decimals import in_small_units
 from planar_planner.problem.fingerprint import fingerprint
 from planar_planner.problem.goal import GoalSet
 from planar_planner.problem.make import Problem
@@ -40,7 +41,10 @@ Pieces = dict[str, list[list[list[float]]]]
 
 
 def make_certificate(
-    problem: Problem, evidence: NamedEvidence, contact_tolerance: float
+    problem: Problem,
+    evidence: NamedEvidence,
+    contact_tolerance: float,
+    places: int | None = None,
 ) -> Certificate | None:
     """Build the certificate of an answer from the core's evidence.
 
@@ -52,6 +56,8 @@ def make_certificate(
         What the core gives straight after the answer.
     contact_tolerance : float
         The query's.
+    places : int, optional
+        The core was asked about lengths as decimals of so many places.
 
     Returns
     -------
@@ -74,6 +80,9 @@ def make_certificate(
         certificate[keys.OUTSIDE] = evidence.outside
     if evidence.reference is not None:
         certificate[keys.REFERENCE] = evidence.reference
+    if places is not None:
+        certificate[keys.DECIMAL_PLACES] = places
+        problem = in_small_units(problem, places)
     if evidence.kind == ClaimKind.PATH:
         return certificate | _path(problem, evidence, contact_tolerance)
     if evidence.kind == ClaimKind.ODD_CHAIN:
@@ -104,14 +113,13 @@ def _owner(edge: NamedEdge) -> str:
 
 
 def _path(problem: Problem, evidence: NamedEvidence, contact_tolerance: float) -> Certificate:
-    first = len(evidence.waypoints) - 1 - evidence.exact_after  # of those at the goal's angle
     last = evidence.waypoints[-1]
-    waypoints = [[*waypoint, 0] for waypoint in evidence.waypoints[:first]]  # no turns
+    waypoints = [[*waypoint, 0] for waypoint in evidence.waypoints[:-1]]  # no turns
     ends = [(evidence.waypoints[0], problem.start)]
     if isinstance(problem.goal, GoalSet):
         waypoints.append(_turned_into(last, problem.goal, problem.rotation))
     else:
-        waypoints += [_turned_goal(each, problem.goal) for each in evidence.waypoints[first:]]
+        waypoints.append(_turned_goal(last, problem.goal))
         ends.append((last, problem.goal))
     moved = any((at[0], at[1]) != (end[0], end[1]) for at, end in ends)
     return {

@@ -17,6 +17,8 @@ PATHS: Mapping[DecidedBy, str] = {
     DecidedBy.CHANNEL: "certified through a channel of cells",
     DecidedBy.RIDGE: "certified along the ridge of the clearance",
     DecidedBy.TAUT_PATH: "certified exactly, round the corners of C-obstacles that may be touched",
+    DecidedBy.JOINED_LAYERS: "certified exactly where it may touch, without turning there, and "
+    "through cells between",
 }
 """How a path was found."""
 
@@ -42,6 +44,9 @@ STOPS: Mapping[StopReason, str] = {
     StopReason.START_TOUCHES_WORKSPACE: _TOUCHES.format("start", "the workspace"),
     StopReason.GOAL_TOUCHES_OBSTACLE: _TOUCHES.format("goal", "an obstacle"),
     StopReason.GOAL_TOUCHES_WORKSPACE: _TOUCHES.format("goal", "the workspace"),
+    StopReason.TIGHT_TURN: "resolution reached; a path would have to turn, or to pass at an angle "
+    "that is no quarter turn, in less room than that",
+    StopReason.NO_DOUBLES: "a path exists, but none was found whose corners are doubles",
     StopReason.MOVED_ENDS: "no path from where the contact tolerance moved the ends; that proves "
     "nothing of the ends themselves",
     StopReason.NO_EVIDENCE: "an answer was found, but the evidence for it cannot be written: its "
@@ -50,6 +55,7 @@ STOPS: Mapping[StopReason, str] = {
 }
 """Why a query stayed undecided."""
 
+LEGS = "; ends in contact are left and reached exactly, without turning"
 MOVED = "; ends in contact were moved off within the contact tolerance"
 
 
@@ -59,6 +65,7 @@ def sentence(
     stop_reason: StopReason | None = None,
     *,
     ends_moved: bool = False,
+    exact_legs: bool = False,
 ) -> str:
     """Return in words what an answer rests on.
 
@@ -71,7 +78,9 @@ def sentence(
     stop_reason : StopReason or None
         Why the query stayed undecided.
     ends_moved : bool, optional
-        Whether the path has legs that move an end off its contact.
+        Whether the path has legs that move an end off its contact, within the tolerance.
+    exact_legs : bool, optional
+        Whether it has legs that lead out of contact exactly.
 
     Raises
     ------
@@ -83,7 +92,8 @@ def sentence(
     found = (PATHS if verdict == "path" else PROOFS).get(decided_by) if decided_by else None
     if found is None:
         raise ValueError(f"{verdict} by {decided_by!r}, {stop_reason!r}")
-    return found + (MOVED if ends_moved else "")
+    legs = exact_legs and decided_by is not DecidedBy.JOINED_LAYERS
+    return found + (LEGS if legs else "") + (MOVED if ends_moved else "")
 
 
 def sentence_of(answer: Mapping[str, Any]) -> str:
@@ -93,4 +103,5 @@ def sentence_of(answer: Mapping[str, Any]) -> str:
         answer["stats"].decided_by,
         answer["stop_reason"],
         ends_moved=answer["ends_moved"],
+        exact_legs=answer["exact_legs"],
     )

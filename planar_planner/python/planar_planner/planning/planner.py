@@ -6,6 +6,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -18,11 +19,20 @@ from planar_planner.explain.cells import Cells, make_cells
 from planar_planner.explain.thinnest_place import Bottleneck, make_bottleneck
 from planar_planner.load import SceneLike, load_scene
 from planar_planner.planning.certificate import Certificate, make_certificate
+from planar_planner.planning.decimal_core import (
+    DecimalCore,
+    answer_of_decimals,
+    bottleneck_of_decimals,
+    cells_of_decimals,
+    rests_on_contact,
+    small_limits,
+)
 from planar_planner.planning.engine import Listener, ask, make_core
 from planar_planner.planning.options import Options
 from planar_planner.planning.outcome import STOPS, StopReason
-from planar_planner.planning.placement import check_placements
+from planar_planner.planning.placement import check_placements, find_placements, is_contact
 from planar_planner.planning.result import Result, Undecided, make_result
+from planar_planner.problem.decimals import decimal_places, in_small_units, rounding_of_decimals
 from planar_planner.problem.make import Problem, make_problem, with_query
 from planar_planner.scene.geometry import Numbers
 from planar_planner.scene.goal_forms import GoalLike
@@ -98,6 +108,9 @@ class Planner:
         checked = time.perf_counter()
         self._without = _SHORT_CUTS if cells_only else ()
         self._core: Core | None = make_core(self.problem, self._without)
+        self._decimal: DecimalCore | None = None  # for what touches as it is written
+        self._by_decimals = False  # the last query was answered by it
+        self._rounding: float | None = None  # of the scene's decimals
         self.setup_seconds = {
             "reading": loaded - began,
             "checking": checked - loaded,
@@ -144,19 +157,20 @@ class Planner:
             If a query of this planner is being answered, by another thread or around the listener.
         """
         limits = options or Options()
-        query = with_query(self.problem, start, goal)
+        problem = with_query(self.problem, start, goal)
+        query = _Query(problem, limits, listener, certificate)
         with self._idle():
             try:
-                return self._answer(query, limits, listener, certificate)
+                return self._answer(query)
             except MemoryError:
                 stop = StopReason.OUT_OF_MEMORY
                 return Undecided(
-                    query.name,
+                    problem.name,
                     STOPS[stop],
                     np.empty((0, 3)),
                     Statistics(),
                     stop_reason=stop,
-                    imported=query.imported,
+                    imported=problem.imported,
                 )
 
     def cells(self) -> Cells:
@@ -172,6 +186,9 @@ class Planner:
             If a query of this planner is being answered.
         """
         with self._idle():
+            if self._by_decimals and self._decimal is not None:
+                places = self._decimal.places
+                return cells_of_decimals(make_cells(self._decimal.core.cells()), places)
             core = self._core or make_core(self.problem, self._without)
             return make_cells(core.cells())
 
@@ -186,6 +203,9 @@ class Planner:
             If a query of this planner is being answered.
         """
         with self._idle():
+            if self._by_decimals and self._decimal is not None:
+                found = make_bottleneck(self._decimal.core.thinnest_wall())
+                return found and bottleneck_of_decimals(found, self._decimal.places)
             return None if self._core is None else make_bottleneck(self._core.thinnest_wall())
 
     def wall(self) -> Cells | None:
@@ -201,10 +221,13 @@ class Planner:
             If a query of this planner is being answered.
         """
         with self._idle():
-            if self._core is None:
+            decimal = self._decimal if self._by_decimals else None
+            core = self._core if decimal is None else decimal.core
+            table = None if core is None else core.wall(self._asked.start[2])
+            if table is None:
                 return None
-            table = self._core.wall(self._asked.start[2])
-            return None if table is None else make_cells(table)
+            cells = make_cells(table)
+            return cells if decimal is None else cells_of_decimals(cells, decimal.places)
 
     @contextmanager
     def _idle(self) -> Iterator[None]:
@@ -216,34 +239,98 @@ class Planner:
         finally:
             self._busy.release()
 
-    def _answer(
-        self, query: Problem, limits: Options, listener: Listener | None, certificate: bool
-    ) -> Result:
-        """Ask the core.
+    def _answer(self, query: _Query) -> Result:
+        """Ask the core, and the one in decimals where an answer rests on what touches.
 
-        It is kept for the next query only if it has answered this one: an exception, of a listener
-        or for want of memory, may have left cells half divided.
+        A core is kept for the next query only if it has answered this one: an exception, of a
+        listener or for want of memory, may have left cells half divided.
         """
-        core = self._core or make_core(self.problem, self._without)
-        self._core = None
-        self._asked = query
+        problem = query.problem
+        self._asked, self._by_decimals = problem, False
+        core, self._core = self._core or make_core(self.problem, self._without), None
+        found = find_placements(core, problem)
+        decided: Result | None = None
+        if problem.decimals and (is_contact(found) or self._rounding_tells(core)):
+            self._core = core
+            decided = self._in_decimals(query)
+        if decided is not None:
+            return decided
         try:
-            check_placements(core, query, limits.contact_tolerance)
+            check_placements(found, problem, query.limits.contact_tolerance)
         except SceneError:
             self._core = core
             raise
-        answer = ask(core, query, limits, listener)
-        answer["stats"] = answer["stats"].replace(least_clearance=core.least_clearance())
-        close = answer["to_be_checked"]
-        evidence = core.evidence() if certificate or close else None
+        self._core = None
+        answer, certificate = _ask(core, query)
         self._core = core
-        if evidence is None:
-            return make_result(query.name, answer, imported=query.imported)
-        written = make_certificate(query, evidence, limits.contact_tolerance)
-        missing = written is None and answer["verdict"] != "undecided"
-        if missing or (close and not _holds(query, written, limits.contact_tolerance)):
-            return _without_evidence(query, answer)
-        return make_result(query.name, answer, written if certificate else None, query.imported)
+        if problem.decimals and rests_on_contact(answer):
+            decided = self._in_decimals(query)
+        if decided is not None:
+            return decided
+        return make_result(problem.name, answer, certificate, problem.imported)
+
+    def _rounding_tells(self, core: Core) -> bool:
+        """Whether the rounding of decimals is too large beside the scene to be tolerated."""
+        if self._rounding is None:
+            self._rounding = rounding_of_decimals(self.problem)
+        return self._rounding > core.tolerated_error()
+
+    def _in_decimals(self, query: _Query) -> Result | None:
+        """Ask about the decimals that the scene's lengths mean; None if they are no short ones."""
+        problem = query.problem
+        places = decimal_places(problem)
+        if places is None:
+            return None
+        decimal, self._decimal = self._decimal, None
+        small = in_small_units(problem, places)
+        if decimal is None or decimal.places != places:
+            decimal = DecimalCore(places, make_core(small, self._without))
+        self._by_decimals = True
+        try:
+            found = find_placements(decimal.core, small)
+            check_placements(found, problem, query.limits.contact_tolerance, 10.0**-places)
+        except SceneError:
+            self._decimal = decimal
+            raise
+        answer, certificate = _ask(decimal.core, query, places)
+        self._decimal = decimal
+        answer = answer_of_decimals(answer, places)
+        return make_result(problem.name, answer, certificate, problem.imported, places)
+
+
+@dataclass(frozen=True)
+class _Query:
+    """A problem with its own start and goal, and how it is to be answered."""
+
+    problem: Problem
+    limits: Options
+    listener: Listener | None
+    certificate: bool
+
+
+def _ask(
+    core: Core, query: _Query, places: int | None = None
+) -> tuple[dict[str, Any], Certificate | None]:
+    """Return a core's answer, and its certificate if one is asked for.
+
+    The core is for the problem, or for its lengths as decimals of so many places.
+    """
+    problem, limits = query.problem, query.limits
+    if places is None:
+        answer = ask(core, problem, limits, query.listener)
+    else:
+        small = in_small_units(problem, places)
+        answer = ask(core, small, small_limits(limits, places), query.listener)
+    answer["stats"] = answer["stats"].replace(least_clearance=core.least_clearance())
+    close = answer["to_be_checked"]
+    if not query.certificate and not close:
+        return answer, None
+    tolerance = limits.contact_tolerance
+    written = make_certificate(problem, core.evidence(), tolerance, places)
+    missing = written is None and answer["verdict"] != "undecided"
+    if missing or (close and not _holds(problem, written, tolerance)):
+        return _without_evidence(answer), None
+    return answer, written if query.certificate else None
 
 
 def _holds(query: Problem, certificate: Certificate | None, contact_tolerance: float) -> bool:
@@ -255,9 +342,15 @@ def _holds(query: Problem, certificate: Certificate | None, contact_tolerance: f
     return True
 
 
-def _without_evidence(query: Problem, answer: Mapping[str, Any]) -> Result:
+def _without_evidence(answer: Mapping[str, Any]) -> dict[str, Any]:
     """Return an answer whose evidence the core could not write as undecided."""
     undecided = {"verdict": "undecided", "stop_reason": StopReason.NO_EVIDENCE}
     stats = answer["stats"].replace(decided_by=None)
-    changed = {**answer, **undecided, "stats": stats, "path": [], "ends_moved": False}
-    return make_result(query.name, changed, imported=query.imported)
+    return {
+        **answer,
+        **undecided,
+        "stats": stats,
+        "path": [],
+        "ends_moved": False,
+        "exact_legs": False,
+    }

@@ -49,6 +49,10 @@ class _Answer(FrozenArrays):
     imported : ImportReport
         What an importer did to the scene's geometry, and for which verdict the answer also holds
         for the curves of its file.
+    decimal_places : int or None
+        The answer holds for the scene's lengths as the decimals of so many places that they are
+        written as, because it rests on contact. Waypoints are then rounded to doubles where they
+        are no such decimals; the certificate has them exactly. None: it holds for the doubles.
     """
 
     verdict: ClassVar[str]
@@ -59,6 +63,7 @@ class _Answer(FrozenArrays):
     certificate: dict[str, Any] | None = None
     stop_reason: StopReason | None = None
     imported: ImportReport = NOT_IMPORTED
+    decimal_places: int | None = None
 
     @property
     def path_length(self) -> float:
@@ -107,6 +112,7 @@ class _Answer(FrozenArrays):
             "stop_reason": self.stop_reason,
             "path": self.path.tolist(),
             "stats": _plain(self.stats.to_dict()),
+            **({} if self.decimal_places is None else {"decimal_places": self.decimal_places}),
             **self.imported.to_json(),
         }
 
@@ -141,6 +147,7 @@ def make_result(
     answer: Mapping[str, Any],
     certificate: dict[str, Any] | None = None,
     imported: ImportReport | None = None,
+    decimal_places: int | None = None,
 ) -> Result:
     """Build the result from the core's answer."""
     path = np.array(answer["path"], dtype=np.float64).reshape(-1, 3)
@@ -154,6 +161,7 @@ def make_result(
         certificate,
         answer["stop_reason"],
         imported or NOT_IMPORTED,
+        decimal_places,
     )
     freeze(result)
     return result

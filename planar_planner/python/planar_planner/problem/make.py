@@ -33,7 +33,7 @@ from planar_planner.scene.geojson import name_of, title_of_obstacle
 from planar_planner.scene.goal_forms import goal_json
 from planar_planner.scene.import_report import ImportReport
 from planar_planner.scene.input_limits import MAX_ROBOT_VERTICES
-from planar_planner.scene.model import Scene
+from planar_planner.scene.model import DECIMALS, DOUBLES, Scene
 from planar_planner.scene.plain import plain
 from planar_planner.scene.plane import stands_for_plane
 from planar_planner.scene.raw_polygons import read_polygons
@@ -84,6 +84,8 @@ class Problem:
         A configuration, or a set of them.
     imported : ImportReport
         What an importer did to the scene's geometry.
+    decimals : bool
+        Whether the lengths mean the decimals that name these doubles (`problem.decimals`).
     """
 
     name: str
@@ -101,6 +103,7 @@ class Problem:
     start: Configuration
     goal: Goal
     imported: ImportReport
+    decimals: bool
 
 
 def make_problem(scene: Scene, judge: Judge = judged_exactly) -> Problem:
@@ -126,6 +129,7 @@ def make_problem(scene: Scene, judge: Judge = judged_exactly) -> Problem:
         obstacles = clean_polygons(read_polygons(_listed(scene.obstacles, "obstacles")), judge)
         names = tuple(name_of(o) for _, o in _listed(scene.obstacles, "obstacles"))
         rotation = fields.truth(scene.rotation, "rotation")
+        decimals = _means_decimals(scene.numbers)
         start = fields.configuration(scene.start, "start")
         robot_arrays = Polygons(robot.coords, robot.ring_starts, robot.polygon_starts)
         obstacle_arrays = Polygons(
@@ -162,7 +166,14 @@ def make_problem(scene: Scene, judge: Judge = judged_exactly) -> Problem:
         start=start,
         goal=goal,
         imported=scene.imported,
+        decimals=decimals,
     )
+
+
+def _means_decimals(numbers: object) -> bool:
+    if numbers not in (DECIMALS, DOUBLES):
+        raise SceneError(f'must be "{DECIMALS}" or "{DOUBLES}"', "numbers", shown(numbers))
+    return numbers == DECIMALS
 
 
 def _check_size(robot_vertices: int) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import difflib
 import math
+import re
 from collections.abc import Iterable, Mapping
 
 from planar_planner.errors import SceneError, cut, shown
@@ -15,6 +16,16 @@ from planar_planner.scene.input_limits import MAX_ANGLE, MAX_COORDINATE, MIN_COO
 
 Box = tuple[float, float, float, float]
 Configuration = tuple[float, float, float]
+
+_TAU = 628318530717958647692528676655900576839433879875021164194988, 10**59
+"""2π to 60 digits, as a quotient, so that an angle is the double nearest to the exact one."""
+_UNITS = {"deg": (_TAU[0], 360 * _TAU[1]), "turn": _TAU, "turns": _TAU, "rad": (1, 1)}
+_ANGLE = re.compile(
+    r"\s*([-+]?)(?=\.?\d)(\d*)\.?(\d*)(?:[eE]([-+]?\d{1,3}))?\s*([a-z]+)\s*", re.ASCII
+)
+_LONGEST = 64
+
+ANGLE_FORMS = '"90deg" or "0.25turn"'
 
 
 def number(value: object, field: str) -> float:
@@ -43,11 +54,34 @@ def coordinate(value: object, field: str) -> float:
 
 
 def angle(value: object, field: str) -> float:
-    """Return an angle in radians within `MAX_ANGLE`."""
-    result = number(value, field)
+    """Return an angle in radians within `MAX_ANGLE`; as text it states its unit."""
+    written = radians_of(value) if isinstance(value, str) else None
+    if isinstance(value, str) and written is None:
+        raise SceneError(
+            f"must be a number of radians, or text such as {ANGLE_FORMS}", field, shown(value)
+        )
+    result = number(value if written is None else written, field)
     if abs(result) > MAX_ANGLE:
         raise SceneError(f"angle must not exceed {MAX_ANGLE:g} rad", field, shown(value))
     return result
+
+
+def radians_of(text: str) -> float | None:
+    """Return the double nearest to an angle such as ``90deg`` or ``0.25 turn``; None if it is none.
+
+    Multiples of 90° are thus the doubles that mean quarter turns.
+    """
+    found = _ANGLE.fullmatch(text) if len(text) <= _LONGEST else None
+    if found is None or found[5] not in _UNITS:
+        return None
+    above, below = _UNITS[found[5]]
+    digits = int(found[1] + found[2] + found[3])
+    power = int(found[4] or 0) - len(found[3])
+    try:  # the quotient of two integers is rounded once
+        radians: float = digits * 10 ** max(power, 0) * above / (below * 10 ** max(-power, 0))
+    except OverflowError:
+        return math.inf
+    return radians
 
 
 def box(value: object, field: str) -> Box:

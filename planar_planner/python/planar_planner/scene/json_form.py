@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from planar_planner.errors import SceneError, shown
 from planar_planner.scene import fields
 from planar_planner.scene.import_report import NOT_IMPORTED
-from planar_planner.scene.model import FORMAT, VERSION, Scene, scene_of_values
+from planar_planner.scene.model import DECIMALS, FORMAT, VERSION, Scene, scene_of_values
 
 _REQUIRED = ("format", "version", "robot", "obstacles", "start", "goal")
 _OPTIONAL = (
@@ -17,6 +17,7 @@ _OPTIONAL = (
     "reference_bounds",
     "bounds_are_chosen",
     "rotation",
+    "numbers",
 )
 
 
@@ -56,6 +57,7 @@ def scene_of_json(content: object, source: str, default_name: str) -> Scene:
                 "source": source,
                 "bounds_are_chosen": members.get("bounds_are_chosen", False),
                 "imported": NOT_IMPORTED,
+                "numbers": members.get("numbers", DECIMALS),
             }
         )
     except SceneError as error:

@@ -19,6 +19,8 @@ from planar_planner.scene.plain import plain
 
 FORMAT = "planar-planner/scene"
 VERSION = 1
+DECIMALS, DOUBLES = "decimals", "doubles"
+"""What the lengths of a scene can mean."""
 
 
 @dataclass(frozen=True, init=False, repr=False)
@@ -27,7 +29,7 @@ class Scene:
 
     Geometry is taken as shapely objects, as GeoJSON mappings, or as arrays of vertices, shape
     (n, 2), and kept as GeoJSON. Lengths are in any one unit, angles in radians, anticlockwise. Two
-    scenes are equal if all but `source` and `imported` is.
+    scenes are equal if all but `source`, `imported` and `numbers` is.
 
     Attributes
     ----------
@@ -59,6 +61,10 @@ class Scene:
         another format states none, and a margin chooses them anew for each larger robot.
     imported : ImportReport
         What an importer did to the geometry of a file in another format.
+    numbers : Any
+        ``"decimals"`` if the lengths mean the decimals that they are written as, where these are
+        short (docs/exact-fits.md), or ``"doubles"``. Files mean decimals; scenes made here mean
+        doubles unless asked.
 
     Raises
     ------
@@ -79,6 +85,7 @@ class Scene:
     source: str = field(compare=False)
     bounds_are_chosen: Any
     imported: ImportReport = field(compare=False)
+    numbers: Any = field(compare=False)
 
     def __init__(
         self,
@@ -95,6 +102,7 @@ class Scene:
         source: str = "",
         bounds_are_chosen: bool = False,
         imported: ImportReport | None = None,
+        numbers: str = DOUBLES,
     ) -> None:
         given: dict[str, Any] = {"robot": robot, "obstacles": obstacles}
         given |= {"start": start, "goal": goal, "rotation": rotation}
@@ -107,7 +115,7 @@ class Scene:
         except SceneError as error:
             raise error.in_source(source or cut(str(name))) from None
         values["source"] = source or cut(name)
-        _fill(self, values | {"imported": imported or NOT_IMPORTED})
+        _fill(self, values | {"imported": imported or NOT_IMPORTED, "numbers": numbers})
 
     def __hash__(self) -> int:
         return hash((self.name, self.description))
@@ -139,6 +147,8 @@ class Scene:
         content["goal"] = self.goal
         if self.rotation is not True:
             content["rotation"] = self.rotation
+        if self.numbers != DECIMALS:
+            content["numbers"] = self.numbers
         return content
 
 

@@ -7,7 +7,7 @@ import math
 import sys
 from pathlib import Path
 
-from planar_planner.cli.arguments.shared import real_number
+from planar_planner.cli.arguments.shared import angle, real_number
 from planar_planner.cli.progress import Progress
 from planar_planner.errors import SceneError, one_line
 from planar_planner.formats.parts import INWARDS, OUTWARDS, ImportOptions
@@ -35,7 +35,7 @@ def add_importing(command: argparse.ArgumentParser) -> None:
             f"--{name}",
             metavar="X,Y,THETA",
             type=_configuration,
-            help=f"use this {name} instead of the scene's; theta in radians",
+            help=f"use this {name} instead of the scene's; theta in radians or as in 90deg",
         )
     group = command.add_argument_group(
         "other file formats", "for files that are not scene files; see docs/formats.md"
@@ -106,8 +106,9 @@ def import_options(arguments: argparse.Namespace) -> ImportOptions:
 
 
 def _configuration(text: str) -> list[float]:
+    *place, theta = text.split(",")
     try:
-        values = [real_number(part) for part in text.split(",")]
+        values = [*map(real_number, place), angle(theta)]
     except argparse.ArgumentTypeError:
         values = []
     if len(values) != 3:

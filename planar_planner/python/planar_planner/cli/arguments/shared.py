@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from planar_planner.cli.command_parser import CommandParser
+from planar_planner.scene.fields import radians_of
 
 PLOT_SUFFIXES = (".png", ".svg", ".pdf")
 FILM_SUFFIXES = (".gif", ".mp4")
@@ -85,6 +86,12 @@ def real_number(text: str) -> float:
     if value is None or "_" in text or not text.isascii():  # float also takes 1_000 and ٣
         raise argparse.ArgumentTypeError(f"{text!r} is not a number")
     return value
+
+
+def angle(text: str) -> float:
+    """Return an angle in radians: a plain number, or one with a unit such as ``90deg``."""
+    written = radians_of(text)
+    return real_number(text) if written is None else written
 
 
 def byte_count(text: str) -> int:

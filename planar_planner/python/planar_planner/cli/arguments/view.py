@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import math
 
-from planar_planner.cli.arguments.shared import real_number
+from planar_planner.cli.arguments.shared import angle
 from planar_planner.errors import OptionsError
 
 VIEWS = ("path", "filmstrip", "slices", "space", "wall")
@@ -31,14 +31,13 @@ def angles(text: str) -> list[float]:
     """Return the angles, in radians, that a text such as ``0,0.5,90deg`` states."""
     found = []
     for part in text.split(","):
-        number, degrees = part.strip().removesuffix("deg"), part.strip().endswith("deg")
         try:
-            value = real_number(number)
+            value = angle(part)
         except argparse.ArgumentTypeError:
             raise argparse.ArgumentTypeError(f"{part!r} is not an angle") from None
         if not math.isfinite(value):
             raise argparse.ArgumentTypeError(f"{part!r} is not finite")
-        found.append(math.radians(value) if degrees else value)
+        found.append(value)
     return found
 
 
