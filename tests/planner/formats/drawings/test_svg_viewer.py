@@ -184,6 +184,7 @@ def test_a_visible_child_of_a_hidden_group_is_shown(tmp_path: Path) -> None:
         ),
         ('<use id="obstacle" href="other.svg#a"/>', "another file"),
         ('<rect id="obstacle" width="2em" height="1"/>', "unit that is not read"),
+        ('<rect id="obstacle" width="9" height="9" rx="auto" ry="2"/>', "differently by viewers"),
         ('<line id="obstacle" x2="9" y2="9" stroke="red"/>', "line without area"),
         (
             '<rect id="obstacle" width="9" height="9"><animate attributeName="x"/></rect>',
