@@ -59,6 +59,16 @@ FORMATS = {
         "SHARED GEOJSON",
         "read_geojson",
     ),
+    **{
+        name: Format(
+            "drawings.field_drawings",
+            "readers.field_reader",
+            f"drawings_{name}",
+            name.upper(),
+            f"read_{name}",
+        )
+        for name in ("yap", "tpcap", "discopygal", "dynobench", "octile")
+    },
 }
 
 

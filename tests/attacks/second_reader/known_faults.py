@@ -7,4 +7,9 @@ OF: dict[str, set[str]] = {
     "mesh": set(),
     "wkt": set(),
     "geojson": set(),
+    "yap": set(),
+    "tpcap": set(),
+    "discopygal": set(),
+    "dynobench": set(),
+    "octile": set(),
 }

@@ -7,6 +7,7 @@ and that every feature without a known fault stays without one.
 from __future__ import annotations
 
 import itertools
+import json
 import random
 from collections.abc import Sequence
 
@@ -17,7 +18,7 @@ import shapely
 from . import known_faults
 from .formats import FORMATS, outcomes
 from .importer import Import
-from .judge import compared, difference
+from .judge import Reader, compared, difference
 from .model import Drawing, Exact, Raster, Reading, Verdict
 from .readers import svg_reader
 
@@ -28,6 +29,11 @@ NEEDED = {
     "mesh": "trimesh",
     "wkt": "shapely",
     "geojson": "shapely",
+    "yap": "shapely",
+    "tpcap": "shapely",
+    "discopygal": "shapely",
+    "dynobench": "yaml",
+    "octile": "shapely",
 }
 SEED = 1
 EACH = 2  # drawings a feature
@@ -122,6 +128,38 @@ def test_the_mesh_reader_turns_the_upward_axis_and_takes_the_unit() -> None:
     region = projected(document(world).encode())
     assert region.bounds == pytest.approx((0, 0, 2, 1))
     assert region.area == pytest.approx(1)
+
+
+def test_the_readers_of_the_fields_formats_see_what_is_written() -> None:
+    from .readers import field_reader
+
+    def region(read: Reader, text: str, **options: object) -> shapely.Geometry:
+        (reading,) = read(Drawing("by hand", "f", {"f": text.encode()}, options))
+        assert isinstance(reading.truth, Exact)
+        return reading.truth.region
+
+    frame = "0 0\n4 0\n4 4\n0 4\n1 1\n1 2\n2 2\n2 1\n"
+    yap = region(field_reader.read_yap, f"8\n{frame}2\n5 6 7 8\n1 2 \\\n3 4 # outer\n")
+    assert yap.equals(shapely.box(0, 0, 4, 4) - shapely.box(1, 1, 2, 2))
+    tpcap = region(field_reader.read_tpcap, "0,0,0,1,1,0,2,3,4,0,0,2,0,0,2,5,5,5,6,6,6,6,5")
+    assert tpcap.area == 3
+    discs = {"location": [1, 2], "radius": 2}, {"poly": [[9, 9], [10, 9], [10, 10]]}
+    scene = json.dumps({"obstacles": discs})
+    disco = region(field_reader.read_discopygal, scene, tolerance=0.1)
+    assert disco.area == pytest.approx(4 * np.pi + 0.5)
+    assert disco.bounds == (-1, 0, 10, 10)
+    (cells,) = field_reader.read_octile(
+        Drawing("by hand", "f", {"f": b"type octile\nheight 2\nwidth 3\nmap\n.@G\nS.W\n"})
+    )
+    assert isinstance(cells.truth, Raster)
+    blocked = cells.truth.filled
+    assert sorted(zip(cells.truth.x[blocked], cells.truth.y[blocked], strict=True)) == [
+        (1.5, 1.5),
+        (2.5, 0.5),
+    ]
+    pytest.importorskip("yaml")
+    boxes = "environment:\n  obstacles:\n  - {type: box, size: [2, 1], center: [3, 4]}\n"
+    assert region(field_reader.read_dynobench, boxes).equals(shapely.box(2, 3.5, 4, 4.5))
 
 
 @pytest.mark.parametrize("name", FORMATS)

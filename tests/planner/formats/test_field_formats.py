@@ -198,6 +198,36 @@ def test_moving_ai_maps_that_are_refused(old: str, new: str, problem: str, tmp_p
         read(tmp_path / "arena.map", OCTILE.replace(old, new, 1), **ENDS)
 
 
+def test_a_moving_ai_map_without_a_type_is_read_as_octile_and_says_so(tmp_path: Path) -> None:
+    scene = read(tmp_path / "arena.map", OCTILE.replace("type octile\n", ""), **ENDS)
+    assert regions(scene).equals(box(2, 1, 3, 4))
+    assert any("states no type and is read as octile" in note for note in scene.notes)
+
+
+@pytest.mark.parametrize("separator", ["\t", " "])
+def test_a_scenario_is_refused_with_the_first_problem_in_the_maps_frame(
+    separator: str, tmp_path: Path
+) -> None:
+    problem = separator.join(["0", "arena.map", "5", "4", "0", "3", "4", "0", "7.2"])
+    message = (
+        r"list of problems \(2\).* on arena\.map from --start 0\.5,0\.5,0 to --goal 4\.5,3\.5,0"
+    )
+    with pytest.raises(SceneError, match=message):
+        read(tmp_path / "a.scen", f"version 1\n{problem}\n{problem}\n")
+    with pytest.raises(SceneError, match="must have 9 fields, and has 3"):
+        read(tmp_path / "a.scen", "version 1\n0 arena.map 5\n")
+    with pytest.raises(SceneError, match=r"list of problems \(0\)"):
+        read(tmp_path / "a.scen", "")
+
+
+@pytest.mark.parametrize("suffix", [".stl", ".OBJ", ".ply"])
+def test_meshes_that_are_not_read_name_the_one_that_is(suffix: str, tmp_path: Path) -> None:
+    file = tmp_path / f"part{suffix}"
+    file.write_bytes(b"solid \xff\n")
+    with pytest.raises(SceneError, match=r"save it as Collada \(\.dae\)"):
+        load_scene(file, ImportOptions())
+
+
 @pytest.mark.parametrize("text", ["Boundary Box2D [0:1 ; 0:1]\n", "# made\nMultiBodies\n2\n"])
 def test_pmpl_environments_are_refused_with_what_is_missing(text: str, tmp_path: Path) -> None:
     with pytest.raises(SceneError, match="pmpl environment, whose bodies are meshes in space"):

@@ -163,7 +163,8 @@ def test_an_empty_map_names_the_option_that_fills_it() -> None:
         load_scene(FAULTS / "al.yaml", options)
 
 
-ELSEWHERE = ("discopygal scene", "dynobench problem", "Moving AI map")  # test_field_formats
+ELSEWHERE = ("discopygal scene", "dynobench problem", "Moving AI map", "Moving AI scenario")
+"""In test_field_formats."""
 
 
 def test_every_format_is_tried_here() -> None:

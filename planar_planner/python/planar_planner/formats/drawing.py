@@ -6,15 +6,29 @@ for the curves too. Flattening ``inwards`` does the opposite, so a proof of no p
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from planar_planner.errors import SceneError
-from planar_planner.formats.outlines.curves import Outline, control_points, first_point, flattened
-from planar_planner.formats.outlines.exact import contains, is_anticlockwise
+from planar_planner.formats.outlines.curves import (
+    SLACK,
+    Outline,
+    Piece,
+    control_points,
+    first_point,
+    flattened,
+    last_point,
+)
+from planar_planner.formats.outlines.exact import contains, is_anticlockwise, orientation
 from planar_planner.formats.outlines.figure import EVENODD, Figure
-from planar_planner.formats.outlines.rings import MIN_RING, polygons_of, without_repeats
+from planar_planner.formats.outlines.rings import (
+    MIN_RING,
+    convex_ring,
+    polygons_of,
+    without_repeats,
+)
 from planar_planner.formats.parts import (
     INWARDS,
     OUTWARDS,
@@ -152,6 +166,10 @@ class _Flattener:
             rings = [[first_point(p) for p in o.pieces] for o in figure.outlines]
             return polygons_of(rings, figure.place, self._notes, figure.rule)
         self.met_curves = True
+        if len(figure.outlines) == 1 and len(figure.outlines[0].pieces) <= _FEW:
+            ring = _convex_side(figure.outlines[0], self.tolerance, outwards=outwards)
+            if ring is not None:
+                return [[ring]]
         both = [_both_sides(outline, self.tolerance) for outline in figure.outlines]
         rings = []
         for k, (left, right) in enumerate(both):
@@ -166,6 +184,55 @@ class _Flattener:
             raise SceneError(
                 f"{error.problem} when flattened; a smaller --tolerance may help", value=error.value
             ) from None
+
+
+def _convex_side(outline: Outline, tolerance: float, *, outwards: bool) -> Ring | None:
+    """Return an outline flattened to one side if the polygon plainly is convex, otherwise None.
+
+    Which side is outside is read off the control points, and the polygon confirms it. Each piece
+    of the outline lies in the hull of its control points, and so does the part of the polygon that
+    stands for it, up to the slack. Let every hull be on one side of some line that passes a place
+    at more than the slack. Moving the polygon to the outline piece by piece then never meets the
+    place, so both go round it equally often: once, in the polygon's direction, if it is inside the
+    convex polygon. Both sides then need not be flattened to see which is which.
+    """
+    points = control_points(outline)
+    turn = 1 if _doubled_area(points) > 0 else -1
+    place = _middle([first_point(piece) for piece in outline.pieces])
+    far = 2 * SLACK * max(max(abs(x), abs(y)) for x, y in points)
+    if not all(_passes(piece, place, turn, far) for piece in outline.pieces):
+        return None
+    side = -turn if outwards else turn
+    ring = without_repeats(flattened(outline, side, tolerance))
+    edges = zip(ring, [*ring[1:], *ring[:1]], strict=True)
+    if convex_ring(ring) != turn or any(orientation(a, b, place) != turn for a, b in edges):
+        return None
+    return ring
+
+
+_FEW = 16
+"""Pieces up to which an outline is tried as a convex one."""
+
+
+def _passes(piece: Piece, place: Point, turn: int, far: float) -> bool:
+    """Return whether a line along the piece's chord leaves a place behind it by more than `far`."""
+    (x0, y0), (x1, y1) = first_point(piece), last_point(piece)
+    nx, ny = turn * (y1 - y0), turn * (x0 - x1)
+    behind = far * (abs(nx) + abs(ny))
+    x, y = place
+    return all((px / w - x) * nx + (py / w - y) * ny > behind for px, py, w in piece)
+
+
+def _middle(points: Sequence[Point]) -> Point:
+    xs, ys = zip(*points, strict=True)
+    return sum(xs) / len(xs), sum(ys) / len(ys)
+
+
+def _doubled_area(ring: Sequence[Point]) -> float:
+    """Return about twice the area, positive if anticlockwise."""
+    x0, y0 = ring[0]
+    offsets = [(x - x0, y - y0) for x, y in ring]
+    return sum(a[0] * b[1] - a[1] * b[0] for a, b in itertools.pairwise(offsets))
 
 
 def _both_sides(outline: Outline, tolerance: float) -> tuple[Ring, Ring]:

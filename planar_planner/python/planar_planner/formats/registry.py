@@ -53,12 +53,13 @@ SVG = Format("SVG drawing", (".svg",), "svg", "svg")
 DISCOPYGAL = Format("discopygal scene", (), "discopygal")
 DYNOBENCH = Format("dynobench problem", (), "dynobench")
 OCTILE_MAP = Format("Moving AI map", (".map",), "octile_map")
+SCENARIO = Format("Moving AI scenario", (".scen",), "scenario")
 DXF = Format("DXF drawing", (".dxf",), "dxf", "dxf")
 
 
 FORMATS = (
     *(OMPL_APP, COLLADA, ROS_MAP, YAP, YAP_ROBOT, TPCAP, WKT, GEOJSON, SVG, DXF),
-    *(DISCOPYGAL, DYNOBENCH, OCTILE_MAP),
+    *(DISCOPYGAL, DYNOBENCH, OCTILE_MAP, SCENARIO),
 )
 
 _BY_SUFFIX = {suffix: kind for kind in FORMATS for suffix in kind.suffixes}
@@ -73,6 +74,7 @@ _WKT_MARKS = (b"POLYGON", b"GEOMETRYCOLLECTION")  # in any case of letters
 _SNIFFED_BYTES = 4096
 _PMPL = (b"Boundary", b"MultiBodies", b"Multibodies")
 _DYNOBENCH = (b"environment:", b"obstacles:")
+_MESHES = (".stl", ".obj", ".ply", ".off", ".3mf", ".glb", ".gltf")
 _PICTURES = (b"\x89PNG\r\n", b"P5", b"P2", b"BM", b"GIF8", b"\xff\xd8\xff")
 
 
@@ -100,6 +102,12 @@ def format_of(path: Path, data: bytes) -> Format | None:
         return DYNOBENCH
     if known is not None:
         return known
+    if path.suffix.lower() in _MESHES:
+        raise SceneError(
+            "is a mesh in a format that is not read; save it as Collada (.dae) or draw the outline "
+            "as SVG, DXF or WKT",
+            source=str(path),
+        )
     if data.startswith(_PICTURES):
         raise SceneError(
             "is a picture without scale; a ROS map.yaml states image, resolution and origin",

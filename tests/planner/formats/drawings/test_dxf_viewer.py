@@ -261,3 +261,25 @@ def test_a_line_between_outlines_is_named(tmp_path: Path) -> None:
 
     with pytest.raises(SceneError, match=r"LINE .*bounds nothing"):
         drawn(tmp_path, draw)
+
+
+def test_a_blocks_entities_are_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from planar_planner.formats.readers.dxf import reading
+
+    def draw(document: Document) -> None:
+        _block(document)
+        for k in range(7):
+            document.modelspace().add_blockref("B", (30 * k, 0), {"rotation": 10 * k, **ON})
+        grid = {"column_count": 5, "column_spacing": 30, "rotation": 30, **ON}
+        document.modelspace().add_blockref("B", (0, 200), grid)
+
+    read_entities = []
+
+    def run_of(entity: Any, place: str) -> Any:
+        read_entities.append(entity)
+        return run(entity, place)
+
+    run = reading.run_of
+    monkeypatch.setattr(reading, "run_of", run_of)
+    assert region(drawn(tmp_path, draw)).area == pytest.approx(1200)
+    assert 0 < len(read_entities) == len(set(map(id, read_entities)))

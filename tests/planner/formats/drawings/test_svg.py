@@ -180,3 +180,36 @@ def test_features_smaller_than_the_tolerance_are_refused(tmp_path: Path) -> None
     with pytest.raises(SceneError, match="tolerance"):
         read(tmp_path / "d.svg", near, tolerance=0.5)
     assert len(read(tmp_path / "d.svg", near, tolerance=0.01).obstacles) == 1
+
+
+def test_what_has_no_name_at_all_fits_the_pattern_for_any(tmp_path: Path) -> None:
+    nameless = '<rect x="40" width="3" height="2"/><g><rect x="50" width="3" height="2"/></g>'
+    text = svg(BOX, ENDS, nameless)
+    known = tuple((f"{role}*", role) for role in ("robot", "start", "goal"))
+    scene = read(tmp_path / "d.svg", text, roles=(*known, ("*", "obstacle")))
+    assert sorted(shape(scene, k).bounds[0] for k in range(2)) == [40, 50]
+    with pytest.raises(SceneError, match="no obstacles"):
+        read(tmp_path / "d.svg", text, roles=(("wall*", "obstacle"),))
+
+
+@pytest.mark.parametrize(
+    ("path", "plain"),
+    [
+        ("M20 -3A5 5 0 0 1 20 -3L24-3v-4h-4z", "M20 -3L24-3v-4h-4z"),
+        ("M20 -3a5,5 0 010 0 4 0h4v-4h-4z", None),
+        ("M20-3 24-3a9 2 30 1 1 0 0l0-4h-4zm0 0a1 1 0 0 0 0 0", "M20-3 24-3l0-4h-4z"),
+        ("m20-3h4v-4h-4z a2 2 0 0 1 0 0", "M20-3h4v-4h-4z"),
+        ("M20-3C21-9 23-9 24-3A1 1 0 0 0 24-3S20 9 20-3z", "M20-3C21-9 23-9 24-3C24-3 20 9 20-3z"),
+    ],
+)
+def test_arcs_from_a_point_to_itself_are_left_out(
+    path: str, plain: str | None, tmp_path: Path
+) -> None:
+    """SVG 2, section 9.5.1: the arc is omitted; a reflected control point is the point itself."""
+    text = svg(BOX, ENDS, f'<path id="obstacle" d="{path}"/>')
+    if plain is None:
+        with pytest.raises(SceneError, match="path data cannot be read"):
+            read(tmp_path / "d.svg", text)
+        return
+    expected = read(tmp_path / "e.svg", svg(BOX, ENDS, f'<path id="obstacle" d="{plain}"/>'))
+    assert read(tmp_path / "d.svg", text).obstacles == expected.obstacles

@@ -138,6 +138,14 @@ def test_groups_that_are_not_shown(around: str, count: int, tmp_path: Path) -> N
     assert said == ["elements that a viewer does not show are left out: 1"] * count
 
 
+@pytest.mark.parametrize(("group", "x"), [('x="20"', 0), ('style="x:20px"', 20)])
+def test_a_group_has_no_place_to_inherit_unless_css_states_it(
+    group: str, x: int, tmp_path: Path
+) -> None:
+    inside = '<rect id="obstacle" x="inherit" y="2" width="3" height="4"/>'
+    assert boxes(drawn(tmp_path, f"<g {group}>{inside}</g>")) == [(x, 2, x + 3, 6)]
+
+
 def test_a_visible_child_of_a_hidden_group_is_shown(tmp_path: Path) -> None:
     inside = BLOCK.format(' visibility="visible"')
     assert boxes(drawn(tmp_path, f'<g visibility="hidden">{inside}</g>')) == [HERE]
@@ -155,6 +163,16 @@ def test_a_visible_child_of_a_hidden_group_is_shown(tmp_path: Path) -> None:
             + BLOCK.format(' fill="url(#p)"'),
             "gradient with transparency",
         ),
+        (
+            '<rect id="p"><stop/></rect><linearGradient id="q" href="#p"/>'
+            + BLOCK.format(' fill="url(#q)"'),
+            "gradient with transparency",
+        ),
+        (
+            '<defs systemLanguage="ru"><linearGradient id="p"><stop/></linearGradient></defs>'
+            + BLOCK.format(' fill="url(#p)"'),
+            "gradient that may not fill all",
+        ),
         ('<svg width="45" height="90">' + BLOCK.format("") + "</svg>", "cut off by a nested svg"),
         (BLOCK.format(' style="width:calc(1px + 2px)"'), "width: is computed"),
         (style("@import 'a.css';"), "@import, which is not read"),
@@ -166,6 +184,7 @@ def test_a_visible_child_of_a_hidden_group_is_shown(tmp_path: Path) -> None:
         ),
         ('<use id="obstacle" href="other.svg#a"/>', "another file"),
         ('<rect id="obstacle" width="2em" height="1"/>', "unit that is not read"),
+        ('<rect id="obstacle" width="9" height="9" rx="auto" ry="2"/>', "differently by viewers"),
         ('<line id="obstacle" x2="9" y2="9" stroke="red"/>', "line without area"),
         (
             '<rect id="obstacle" width="9" height="9"><animate attributeName="x"/></rect>',

@@ -202,7 +202,10 @@ def _flatten(piece: Piece, how: _Limits, level: int, chain: list[Point]) -> None
         if points[0] != points[1]:
             chain.append(points[0])
         return
-    if all(math.dist(p, points[0]) <= how.slack for p in points):
+    begin = points[0]
+    if math.dist(points[-1], begin) <= how.slack and all(
+        math.dist(p, begin) <= how.slack for p in points
+    ):
         if points[0] != points[-1]:
             chain.append(points[0])
         return
@@ -226,6 +229,10 @@ def _is_thin(points: Sequence[Point], thickness: float) -> bool:
     if length == 0:
         return False
     dx, dy = (x1 - x0) / length, (y1 - y0) / length
+    if len(points) == 3:
+        x, y = points[1]
+        beside, on = (y - y0) * dx - (x - x0) * dy, (x - x0) * dx + (y - y0) * dy
+        return 0 <= on <= length and abs(beside) <= thickness
     across = [(y - y0) * dx - (x - x0) * dy for x, y in points[1:-1]]
     along = [(x - x0) * dx + (y - y0) * dy for x, y in points[1:-1]]
     if min(along) < 0 or max(along) > length:
@@ -237,6 +244,11 @@ def _hull_chain(points: Sequence[Point], side: int) -> list[Point]:
     """Return the hull's boundary on one side of the chord without the last point (Andrew 1979)."""
     (x0, y0), last = points[0], points[-1]
     dx, dy = last[0] - x0, last[1] - y0
+    if len(points) == 3:
+        x, y = points[1]
+        outside = side * ((y - y0) * dx - (x - x0) * dy) > 0
+        turns = outside and side * _turn(points[0], points[1], last) < 0
+        return [points[0], points[1]] if turns else [points[0]]
     kept = [p for p in points[1:-1] if side * ((p[1] - y0) * dx - (p[0] - x0) * dy) > 0]
     kept.sort(key=lambda p: (p[0] - x0) * dx + (p[1] - y0) * dy)
     chain: list[Point] = [points[0]]

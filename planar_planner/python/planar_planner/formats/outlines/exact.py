@@ -42,6 +42,26 @@ def is_anticlockwise(ring: list[Point]) -> bool:
     return orientation(ring[corner - 1], ring[corner], ring[(corner + 1) % len(ring)]) > 0
 
 
+def convex_turn(ring: list[Point]) -> int:
+    """Return 1 for a strictly convex anticlockwise ring, −1 for a clockwise one, 0 for any other.
+
+    A ring that turns strictly to one side at every vertex goes round once if the lexicographic
+    order of its vertices changes direction twice, and is then simple. Exact.
+    """
+    turn = orientation(ring[-2], ring[-1], ring[0])
+    if turn == 0:
+        return 0
+    changes = 0
+    before, b = ring[-1], ring[0]
+    rising = before < b
+    for c in (*ring[1:], ring[0]):
+        if orientation(before, b, c) != turn:
+            return 0
+        changes += (b < c) != rising
+        before, b, rising = b, c, b < c
+    return turn if changes == 2 else 0
+
+
 def contains(ring: list[Point], p: Point) -> bool:
     """Return whether p, not on the ring, is inside it; exact."""
     inside = False

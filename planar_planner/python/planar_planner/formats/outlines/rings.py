@@ -13,18 +13,32 @@ from collections.abc import Sequence
 import numpy as np
 
 from planar_planner.errors import SceneError
-from planar_planner.formats.outlines.exact import is_anticlockwise
+from planar_planner.formats.outlines.exact import convex_turn, is_anticlockwise
 from planar_planner.formats.outlines.faces import region_of
 from planar_planner.formats.parts import Notes, Ring, Shape
 from planar_planner.problem.rings import judged_exactly
+from planar_planner.scene.input_limits import MAX_COORDINATE, MIN_COORDINATE
 from planar_planner.scene.raw_polygons import RawPolygons
 
 MIN_RING = 3
+_SMALL = 64
+"""Vertices of a ring up to which convexity is looked at first: most drawings have many such."""
 
 
 def without_repeats(ring: Ring) -> Ring:
     """Return the ring without vertices that equal their cyclic successor."""
     return [p for p, q in zip(ring, ring[1:] + ring[:1], strict=True) if p != q]
+
+
+def convex_ring(ring: Ring) -> int:
+    """Return 1 or −1 if a ring plainly is valid, being small, strictly convex and in range.
+
+    The sign is that of its turn: 1 for an anticlockwise ring. Other rings, valid or not, give 0.
+    """
+    if not MIN_RING <= len(ring) <= _SMALL:
+        return 0
+    in_range = all(v == 0 or MIN_COORDINATE <= abs(v) <= MAX_COORDINATE for p in ring for v in p)
+    return convex_turn(ring) if in_range else 0
 
 
 def polygons_of(
@@ -92,6 +106,8 @@ def _reads_as_written(rings: list[Ring], rule: str | None) -> bool:
 
 def _is_valid(shape: Shape) -> bool:
     """Return whether the rings, the outer one first, are a valid polygon; exact."""
+    if len(shape) == 1 and convex_ring(shape[0]):
+        return True
     coords = np.array([p for ring in shape for p in ring], dtype=np.float64)
     starts = np.cumsum([0, *map(len, shape)]).astype(np.uint32)
     polygons = RawPolygons(

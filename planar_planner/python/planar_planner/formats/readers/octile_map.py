@@ -26,7 +26,7 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
     """Read a map."""
     del path, options
     lines = [line.rstrip() for line in text_of(data).splitlines()]
-    height, width, first = _header(lines)
+    height, width, first = _header(lines, notes)
     rows = lines[first : first + height]
     if len(rows) < height or any(lines[first + height :]):
         raise SceneError(f"must have {height} rows of cells after the line 'map'")
@@ -45,16 +45,18 @@ def read(data: bytes, path: Path, options: ImportOptions, notes: Notes) -> Parts
     return parts
 
 
-def _header(lines: list[str]) -> tuple[int, int, int]:
+def _header(lines: list[str], notes: Notes) -> tuple[int, int, int]:
     """Return height, width, and the index of the first row of cells."""
     found: dict[str, str] = {}
     for number, line in enumerate(lines, start=1):
         words = line.split()
         if words == ["map"]:
-            missing = [name for name in ("type", "height", "width") if name not in found]
+            missing = [name for name in ("height", "width") if name not in found]
             if missing:
                 raise SceneError(f"is missing before the line 'map': {', '.join(missing)}")
-            if found["type"] != "octile":
+            if "type" not in found:
+                notes.say("the map states no type and is read as octile")
+            elif found["type"] != "octile":
                 raise SceneError("must be octile", "type", shown(found["type"]))
             height, width = (whole(found[name], name, 1, _MOST) for name in ("height", "width"))
             return height, width, number

@@ -12,7 +12,7 @@ from typing import Any
 
 from planar_planner.errors import SceneError, cut
 from planar_planner.formats.outlines.curves import Affine
-from planar_planner.formats.parts import Notes
+from planar_planner.formats.parts import Notes, Point
 
 _MAX_DEPTH = 16  # depth of blocks in blocks
 _MAX_ENTITIES = 10**6
@@ -122,20 +122,39 @@ def _walk(
         layer = around.layer if own == "0" and depth else own
         key = layer.lower()
         shown = around.shown and not entity.dxf.get("invisible", 0) and key not in hidden.frozen
-        here = replace(around, layer=layer, entity=entity, shown=shown)
         if entity.dxftype() != "INSERT":
             # an insertion on a layer that is off still shows what its block has on other layers
-            yield replace(here, shown=shown and key not in hidden.off)
+            seen = shown and key not in hidden.off
+            yield Placed(layer, entity, around.matrix, seen, around.clipped_by)
             continue
+        here = replace(around, layer=layer, entity=entity, shown=shown)
         block = entity.block()
         if block is None or block.block.is_xref:
             notes.pass_over("insertions of missing or external blocks ignored")
             continue
         if _is_clipped(entity):
             here = replace(here, clipped_by=here.place)
-        for single in entity.multi_insert() if entity.mcount > 1 else (entity,):
-            matrix = composed(_affine(single, here.place), around.matrix)
+        a, b, c, d, e, f = _affine(entity, here.place)
+        for x, y in _places(entity):
+            matrix = composed((a, b, c, d, e + x, f + y), around.matrix)
             yield from _walk(block, replace(here, matrix=matrix), depth + 1, hidden, notes)
+
+
+def _places(insertion: Any) -> Iterator[Point]:
+    """Yield the offsets of an array's places, each once; rotated, but not scaled."""
+    if insertion.mcount <= 1:
+        yield 0.0, 0.0
+        return
+    from ezdxf.math import Vec3
+
+    across, up = insertion.dxf.column_spacing, insertion.dxf.row_spacing
+    ocs, rotation = insertion.ocs(), insertion.dxf.rotation
+    columns = range(insertion.dxf.column_count if across else 1)
+    for row in range(insertion.dxf.row_count if up else 1):
+        for column in columns:
+            offset = Vec3(column * across, row * up)
+            there = ocs.to_wcs(offset.rotate_deg(rotation) if rotation else offset)
+            yield float(there.x), float(there.y)
 
 
 def _is_clipped(insertion: Any) -> bool:

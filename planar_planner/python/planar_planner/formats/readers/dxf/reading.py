@@ -100,6 +100,19 @@ class _Content:
     strands: dict[tuple[str, str], list[Strand]] = field(default_factory=dict)
     areas: list[tuple[str, Figure]] = field(default_factory=list)
     hatches: list[tuple[str, str, list[list[Run]]]] = field(default_factory=list)
+    _drawn: dict[int, tuple[bool, Run]] = field(default_factory=dict)
+
+    def drawn(self, item: Placed) -> tuple[bool, Run]:
+        """Return whether an entity has a width, and its pieces in its block's frame.
+
+        A block's entities are read once, however often the block is inserted. The document keeps
+        the entities, so none takes over the number of another.
+        """
+        key = id(item.entity)
+        if key not in self._drawn:
+            wide = fills.has_width(item.entity, item.place)
+            self._drawn[key] = wide, run_of(item.entity, item.place)
+        return self._drawn[key]
 
 
 def _content(entities: Iterable[Placed], options: ImportOptions, notes: Notes) -> _Content:
@@ -154,7 +167,7 @@ def _take(item: Placed, role: str, content: _Content, notes: Notes) -> None:
     elif kind in fills.SOLIDS:
         _add_area(item, role, fills.solid(entity, place), content)
         notes.count("solids read as areas")
-    elif (wide := fills.has_width(entity, place)) and role not in _AREAS:
+    elif (wide := content.drawn(item)[0]) and role not in _AREAS:
         for band in fills.bands(entity, place):
             _add_area(item, role, band, content)
         closed = "closed " if vertices_of(entity, place)[1] else ""
@@ -163,7 +176,7 @@ def _take(item: Placed, role: str, content: _Content, notes: Notes) -> None:
     else:
         if wide:
             notes.count("widths of polylines ignored")
-        run = _mapped(run_of(entity, place), item)
+        run = _mapped(content.drawn(item)[1], item)
         key = role, item.layer.lower()
         content.layers.setdefault(key, item.layer)
         if run:

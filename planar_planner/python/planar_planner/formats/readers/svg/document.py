@@ -84,9 +84,14 @@ class Document:
         return bool(node.namespace_url == self.namespace)
 
     def role(self, names: tuple[str, ...], context: Context) -> str | None:
-        """Return the role of an element with names of its own and its groups'."""
+        """Return the role of an element with names of its own and its groups'.
+
+        What has no name at all fits patterns that an empty name fits: ``*``.
+        """
         if context.role is not None:
             return context.role
+        if not names and not context.names:
+            return role_of([""], self.options.roles)
         own, above = role_of(names, self.options.roles), role_of(context.names, self.options.roles)
         if own is not None and above is not None and own != above and not context.left_out:
             self.notes.count("elements that state a role of their own; that of their group ignored")

@@ -15,6 +15,7 @@ from planar_planner.formats.readers.svg.shapes import centre_of, runs_of
 from planar_planner.formats.readers.svg.style import Node, word_of
 from planar_planner.formats.reading import coordinate
 from planar_planner.scene.fields import angle as checked_angle
+from planar_planner.scene.input_limits import MAX_COORDINATE, MIN_COORDINATE
 
 _MARKS = ("start", "goal", "origin")
 _SOLID = ("obstacle", "robot")
@@ -84,7 +85,8 @@ def _is_filled(
 def _check(piece: Piece, place: str) -> None:
     for x, y, w in piece:
         for value in (x / w, y / w):
-            coordinate(repr(float(value)), place)
+            if value != 0 and not MIN_COORDINATE <= abs(value) <= MAX_COORDINATE:
+                coordinate(repr(float(value)), place)
 
 
 def _mark(

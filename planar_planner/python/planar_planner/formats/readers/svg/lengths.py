@@ -85,6 +85,8 @@ def parsed(value: Value, base: float | None, place: str) -> float:
 def stated(values: Values, name: str, size: Size, place: str) -> float | None:
     """Return a geometry property in user units; None if it is ``auto`` or not stated."""
     value = values.get(name)
+    if name in ("rx", "ry") and value == Value("auto", css=False):
+        raise SceneError("is read differently by viewers", f"{place}, {name}", "auto")
     if value is None or (value.text.lower() == "auto" and name in _SIZES):
         return None
     length = parsed(value, size.base(name), f"{place}, {name}")

@@ -157,14 +157,15 @@ def _paint(
     return Paint.SEEN
 
 
-_SERVERS = ("linearGradient", "radialGradient", "pattern")
+_GRADIENTS = ("linearGradient", "radialGradient")
+_SERVERS = (*_GRADIENTS, "pattern")
 
 
 def _has_gap(server: Node, servers: Mapping[str, Node], sheet: Sheet) -> bool:
     """Return whether a gradient has stops that are not opaque, or no stops of its own kind."""
     seen: list[str] = []
     node: Node | None = server
-    while node is not None:
+    while node is not None and node.local_name in _GRADIENTS:
         stops = [child for child in node.iter_children() if child.local_name == "stop"]
         if stops:
             return any(_stop_alpha(stop, sheet) < 1 for stop in stops)
@@ -179,10 +180,14 @@ def _has_gap(server: Node, servers: Mapping[str, Node], sheet: Sheet) -> bool:
 def _is_odd(server: Node, servers: Mapping[str, Node], sheet: Sheet) -> bool:
     """Return whether a gradient may leave places unpainted although its stops are opaque.
 
-    A gradient that is not displayed, a singular transform and a focal circle off the centre do.
+    A gradient that is not displayed, one for readers of other languages, a singular transform and
+    a focal circle off the centre do.
     """
     for above in (server, *server.ancestors):
-        if word_of(sheet.declared(above, "gradient"), "display", "inline") == "none":
+        if (
+            not passes(above)
+            or word_of(sheet.declared(above, "gradient"), "display", "inline") == "none"
+        ):
             return True
     seen: list[Node] = []
     node: Node | None = server

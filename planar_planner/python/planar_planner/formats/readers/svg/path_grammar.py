@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from planar_planner.errors import SceneError, cut
 from planar_planner.formats.readers.svg.lengths import NUMBER
@@ -52,3 +53,54 @@ def _arguments(text: str, position: int, letter: str) -> tuple[int, int]:
         if match is None:
             return position, count
         position, count = match.end(), count + 1
+
+
+def without_empty_arcs(text: str) -> str:
+    """Return checked path data whose arcs from a point to itself are lines without length.
+
+    Viewers leave such arcs out (SVG 2, section 9.5.1); the parser refuses them.
+    """
+    if "a" not in text.lower():
+        return text
+    x = y = begin_x = begin_y = 0.0
+    written: list[str] = []
+    for letter, words in _commands(text):
+        kind = letter.upper()
+        arity = _ARGUMENTS[kind]
+        if kind == "Z":
+            x, y = begin_x, begin_y
+            written.append(letter)
+        for k in range(0, len(words), arity or 1):
+            own = words[k : k + arity]
+            from_x, from_y = (0.0, 0.0) if letter.isupper() else (x, y)
+            before = x, y
+            if kind != "V":
+                x = from_x + float(own[-1 if kind == "H" else -2])
+            if kind != "H":
+                y = from_y + float(own[-1])
+            if kind == "M" and k == 0:
+                begin_x, begin_y = x, y
+            if kind == "A" and (x, y) == before:
+                written.append("l0 0")
+            elif kind == "M" and k > 0:
+                written.append(("L" if letter == "M" else "l") + " ".join(own))
+            else:
+                written.append(letter + " ".join(own))
+    return " ".join(written)
+
+
+def _commands(text: str) -> Iterator[tuple[str, list[str]]]:
+    """Yield each command's letter and its arguments."""
+    position = 0
+    while match := _COMMAND.match(text, position):
+        letter, position = match[1], match.end()
+        words: list[str] = []
+        while True:
+            flag = letter in "Aa" and len(words) % _ARGUMENTS["A"] in _FLAGS
+            pattern = _FLAG if flag else (_NEXT if words else _FIRST)
+            found = pattern.match(text, position)
+            if found is None:
+                break
+            words.append(found[0].strip(" \t\r\n\f,"))
+            position = found.end()
+        yield letter, words

@@ -84,7 +84,7 @@ def path_runs(text: str, place: str) -> Iterator[list[Piece]]:
     svgpathtools: Any = require("svgpathtools", "reading SVG", "svg")
     path_grammar.check(text, place)
     current, pending = 0j, ""
-    for part in re.split(r"(?=[Mm])", text):
+    for part in re.split(r"(?=[Mm])", path_grammar.without_empty_arcs(text)):
         pending += part
         if not pending.strip():
             continue

@@ -46,6 +46,14 @@ INHERITED = frozenset(
     )
 )
 GEOMETRY = frozenset(("x", "y", "width", "height", "cx", "cy", "r", "rx", "ry"))
+_BOX = frozenset(("x", "y", "width", "height"))
+_GEOMETRY_OF = {
+    "rect": _BOX | {"rx", "ry"},
+    "circle": frozenset(("cx", "cy", "r")),
+    "ellipse": frozenset(("cx", "cy", "rx", "ry")),
+    **dict.fromkeys(("svg", "symbol", "use", "image", "foreignObject"), _BOX),
+}
+"""Elements whose attributes state geometry; that of others has no value to inherit."""
 _OWN_ATTRIBUTES = frozenset(
     (
         "display",
@@ -149,6 +157,7 @@ class Sheet:
         plain: list[tuple[str, Value]] = [
             (name, Value(element.attrib[name].strip(" \t\r\n\f"), css=False))
             for name in sorted(ATTRIBUTES.intersection(element.keys()))
+            if name not in GEOMETRY or name in _GEOMETRY_OF.get(node.local_name, ())
         ]
         important: list[tuple[str, Value]] = []
         matched = [found for *_, found in self._matcher.match(node)]
