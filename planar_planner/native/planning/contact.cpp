@@ -144,6 +144,7 @@ LayerJoin Planner::join_layers(Query& query, const Goal& goal) {
   const bool asked = problem_.ablation.layers && problem_.rotation && subdivision_ &&
                      std::holds_alternative<Configuration>(goal);
   if (!asked || query.lifted || query.in_contact) return LayerJoin::kUnknown;
+  if (subdivision_->size() > kMostJoinedLeaves) return LayerJoin::kUnknown;
   const std::vector<std::uint32_t> regions = solid_regions(*subdivision_, *faces_);
   const CellId first = leaf_of(query.start);
   const CellId last = leaf_of(query.goal);

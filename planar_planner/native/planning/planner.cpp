@@ -219,8 +219,10 @@ bool Planner::probe(Query& query, CollisionHint& hint, std::optional<FirstTry>& 
 bool Planner::disc_answer(Query& query, const Goal& goal, const Listener& listener) {
   if (!std::exchange(disc_prepared_, true)) {
     if (auto discs = disc_problems(problem_)) {
-      disc_round_ = std::make_unique<Planner>(std::move(discs->round), problem_.ablation);
-      disc_inside_ = std::make_unique<Planner>(std::move(discs->inside), problem_.ablation);
+      Ablation parts = problem_.ablation;
+      parts.layers = false;  // a certificate about a disc is one of cells
+      disc_round_ = std::make_unique<Planner>(std::move(discs->round), parts);
+      disc_inside_ = std::make_unique<Planner>(std::move(discs->inside), parts);
       disc_round_->end_error_ = disc_inside_->end_error_ = end_error_;
     }
   }

@@ -44,7 +44,10 @@ inline constexpr std::size_t kMostLayerVertices = 1'000'000;
 // Open places at one quarter turn that are looked at, the largest, and questions whether two of
 // them are joined there, times the layer's sums. Chosen: about a tenth of a second.
 inline constexpr std::size_t kMostGates = 48;
-inline constexpr std::size_t kGateWork = 2'000'000;
+inline constexpr std::size_t kGateWork = 300'000;
+// Leaves of a subdivision whose regions are looked for: their faces are tested. Chosen: some tenths
+// of a second.
+inline constexpr std::size_t kMostJoinedLeaves = 100'000;
 
 // The way of a far reference point: the part of the body's room along a segment that the arc's
 // deviation may take up before the segment is halved instead, how often one is halved, and how many
