@@ -34,6 +34,10 @@ FACTOR_BITS = 10  # of a random exact factor's parts: arbitrary angles, to a deg
 TIGHT = 2.0**-18  # of a scene's size: step of a tight scene's parameter; its halves are on the grid
 MARGIN = 1e-6  # of a scene's size; rounding at 1e9 sizes from the origin moves a point by 1.6e-7
 
+OFF_GRID = frozenset({"peg", "peg-jammed", "exact-maze-ulp", "sliding-block-ulp"})
+"""Exact fits in decimals, and twins off by a last place: on a grid they are other scenes. What must
+not change them is tried by attacks/exact_fits.py."""
+
 Change = Callable[[Scene, random.Random], Scene | None]
 
 
@@ -78,6 +82,8 @@ def _chance(case: str, subject: Subject) -> float:
 
 def _shipped() -> Iterator[Subject]:
     for name, entry in with_point_goals().items():
+        if name in OFF_GRID:
+            continue
         scene = snapped(load_scene(name).to_dict())
         yield Subject(name, scene, str(entry["expected"]), tight=False)
 
