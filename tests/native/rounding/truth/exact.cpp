@@ -3,11 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar_planner/native/configurations/quarter_turn.hpp"
+
 namespace exact {
 
 namespace {
 
 const Ball kHalf(0.5);
+
+// The angle that a double means: the quarter turns that it is nearest to, or itself.
+Ball meant_angle(const double theta) {
+  const auto quarters = planner::quarters_of(theta);
+  return quarters ? Ball(static_cast<double>(*quarters)) * pi() * kHalf : Ball(theta);
+}
+
+SineCosine meant_rotation(const double theta) {
+  const auto quarters = planner::quarters_of(theta);
+  return quarters ? turned({Ball(0.0), Ball(1.0)}, *quarters) : sine_cosine(Ball(theta));
+}
 
 Sinusoid in_terms_of(const Vector& axis, const Vector& p) {
   return {dot(axis, p), dot(axis, perpendicular(p))};
@@ -113,7 +126,7 @@ Box box_of(const planner::CellSpace& space, const planner::Extent& e) {
     box.h = pi() * fraction(e.size[2], 60);
     box.half = sine_cosine_of_turns(e.size[2]);
   } else {
-    box.rotation = sine_cosine(Ball(space.fixed_theta));
+    box.rotation = meant_rotation(space.fixed_theta);
     box.half = {Ball(), Ball(1.0)};
   }
   return box;
@@ -122,7 +135,7 @@ Box box_of(const planner::CellSpace& space, const planner::Extent& e) {
 Box point_of(const pdg::Frame& frame, const pdg::Vec2 t, const double theta) {
   Box box;
   box.t = framed(frame, t);
-  box.rotation = sine_cosine(Ball(theta));
+  box.rotation = meant_rotation(theta);
   box.half = {Ball(), Ball(1.0)};
   return box;
 }
@@ -130,8 +143,8 @@ Box point_of(const pdg::Frame& frame, const pdg::Vec2 t, const double theta) {
 Way way_of(const pdg::Frame& frame, const planner::Configuration& from,
            const planner::Configuration& to) {
   const Vector start = framed(frame, {from.x, from.y});
-  return {start, framed(frame, {to.x, to.y}) - start, Ball(from.theta),
-          Ball(to.theta) - Ball(from.theta)};
+  return {start, framed(frame, {to.x, to.y}) - start, meant_angle(from.theta),
+          meant_angle(to.theta) - meant_angle(from.theta)};
 }
 
 Ball sinusoid_least(const Sinusoid& f, const Box& box) {
